@@ -1,0 +1,52 @@
+# Warnings for our own targets only: link project_warnings PRIVATE. Whether they are errors is
+# decided by the presets (CMAKE_COMPILE_WARNING_AS_ERROR), so nobody else's build breaks on them.
+add_library(project_warnings INTERFACE)
+
+target_compile_options(
+    project_warnings
+    INTERFACE
+        -Wall
+        -Wextra
+        -Wpedantic
+        -Wshadow
+        -Wconversion
+        -Wsign-conversion
+        -Wdouble-promotion
+        -Wcast-align
+        -Wcast-qual
+        -Wold-style-cast
+        -Woverloaded-virtual
+        -Wnon-virtual-dtor
+        -Wnull-dereference
+        -Wformat=2
+        -Wundef
+        -Wredundant-decls
+        -Wmissing-declarations
+        -Wextra-semi
+        -Wimplicit-fallthrough
+        -Wswitch-enum
+)
+
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(
+        project_warnings
+        INTERFACE
+            -Wduplicated-cond
+            -Wduplicated-branches
+            -Wlogical-op
+            -Wsuggest-override
+            -Wuseless-cast
+    )
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(
+        project_warnings
+        INTERFACE
+            -Wcomma
+            -Wloop-analysis
+            -Wunreachable-code-aggressive
+            -Wextra-semi-stmt
+            -Wheader-hygiene
+            -Wimplicit-int-float-conversion
+            -Wdocumentation
+    )
+endif()

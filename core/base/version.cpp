@@ -1,0 +1,9 @@
+#include "core/base/version.hpp"
+
+namespace hs {
+
+std::string_view program_version() {
+    return HALFSPACE_VERSION;
+}
+
+} // namespace hs
