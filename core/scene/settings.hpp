@@ -1,0 +1,139 @@
+// Everything that can be chosen about a frame. One row per key in the table of settings.cpp serves scene files, `--set`,
+// lessons, the viewer's panel and the glossary alike.
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "core/base/named.hpp"
+#include "core/base/pixel.hpp"
+
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace hs::scene {
+
+enum class Visibility : std::uint8_t { none, z_buffer };
+enum class TraversalKind : std::uint8_t { brute_force, bounding_box };
+enum class CullFace : std::uint8_t { none, back, front };
+enum class Winding : std::uint8_t { ccw, cw };
+enum class Shading : std::uint8_t { unlit, flat, gouraud, phong };
+enum class InterpolationKind : std::uint8_t { perspective, linear, flat };
+enum class CompareOp : std::uint8_t {
+    never, less, lequal, equal, gequal, greater, notequal, always,
+};
+enum class DepthFormat : std::uint8_t { float32, unorm24, unorm16 };
+enum class DepthConvention : std::uint8_t { opengl, direct3d, reversed };
+enum class DepthOrder : std::uint8_t { late, early };
+enum class ColorFormat : std::uint8_t { rgba8, rgba32f };
+
+/// One frame's settings, or one object's after its overrides. Defaults are those of docs and scene files.
+struct Settings {
+    int width = 64;  ///< pixels, 1 … 8192
+    int height = 64; ///< pixels, 1 … 8192
+    glm::vec4 background{0.0F, 0.0F, 0.0F, 1.0F};
+    Visibility visibility = Visibility::z_buffer;
+    TraversalKind traversal = TraversalKind::bounding_box;
+    bool clip_enabled = true;
+    std::vector<glm::vec4> clip_planes; ///< user planes in eye space, inside where ax + by + cz + d >= 0; at most 2
+    CullFace cull = CullFace::none;
+    Winding front_face = Winding::ccw; ///< as seen on screen with y up
+    Shading shading = Shading::unlit;
+    InterpolationKind interpolation = InterpolationKind::perspective;
+    std::optional<CompareOp> depth_test_choice; ///< empty: the convention's default
+    bool depth_write = true;
+    DepthFormat depth_format = DepthFormat::float32;
+    std::optional<float> depth_clear_choice; ///< empty: the far value of the convention
+    DepthConvention depth_convention = DepthConvention::opengl;
+    DepthOrder depth_order = DepthOrder::late;
+    ColorFormat color_format = ColorFormat::rgba8;
+    std::optional<PixelRect> viewport_choice; ///< empty: the whole image
+    std::optional<PixelRect> scissor;         ///< empty: no scissor test
+    bool blend_enabled = false; ///< source alpha over destination: src·a + dst·(1 − a); alpha: a + dst_a·(1 − a)
+
+    [[nodiscard]] CompareOp depth_test() const {
+        const bool reversed = depth_convention == DepthConvention::reversed;
+        return depth_test_choice.value_or(reversed ? CompareOp::greater : CompareOp::less);
+    }
+    [[nodiscard]] float depth_clear() const {
+        return depth_clear_choice.value_or(
+            depth_convention == DepthConvention::reversed ? 0.0F : 1.0F
+        );
+    }
+    [[nodiscard]] PixelRect image() const { return {0, 0, width, height}; }
+    [[nodiscard]] PixelRect viewport() const { return viewport_choice.value_or(image()); }
+    friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+/// A value as scene files and the command line write it, free of any parser's types.
+struct SettingValue {
+    using List = std::vector<SettingValue>;
+    std::variant<bool, std::int64_t, double, std::string, List> value;
+    friend bool operator==(const SettingValue&, const SettingValue&) = default;
+};
+
+/// How a panel edits a setting.
+enum class SettingType : std::uint8_t { boolean, number, choice, color, list };
+
+/// One row of the table of settings.
+struct SettingInfo {
+    std::string_view key;         ///< "depth.test"
+    SettingType type;
+    std::string_view explanation; ///< one sentence
+    std::string_view opengl;      ///< the OpenGL call behind it, "" where there is none
+    bool per_object;              ///< may stand in an object's `settings`
+    std::vector<std::string_view> choices; ///< for SettingType::choice
+};
+
+/// All settings, in the order of the scene format's documentation.
+std::span<const SettingInfo> setting_infos();
+const SettingInfo* find_setting(std::string_view key);
+
+/// Assigns one setting. Errors (unknown key, wrong type, out of range, NaN) come back as a sentence without location.
+std::optional<std::string> assign(Settings& settings, std::string_view key, const SettingValue& value);
+
+/// The current value, defaults resolved, as TOML text: `less`-like choices come quoted.
+std::string print_setting(const Settings& settings, std::string_view key);
+/// The same as a typed value; empty for optional settings that are not set (viewport, scissor when absent).
+std::optional<SettingValue> read_setting(const Settings& settings, std::string_view key);
+
+/// A combination that has no meaning (reversed depth with a user-set test is allowed; a viewport outside the image is
+/// not), in one sentence, or nothing.
+std::optional<std::string> check_combination(const Settings& settings);
+
+/// Applies the compare op to a fragment's depth and the stored one: `compare(less, z, stored)` is z < stored.
+[[nodiscard]] inline bool compare(CompareOp op, float fragment, float stored) {
+    switch (op) {
+    case CompareOp::never: return false;
+    case CompareOp::less: return fragment < stored;
+    case CompareOp::lequal: return fragment <= stored;
+    case CompareOp::equal: return fragment == stored;
+    case CompareOp::gequal: return fragment >= stored;
+    case CompareOp::greater: return fragment > stored;
+    case CompareOp::notequal: return fragment != stored;
+    case CompareOp::always: return true;
+    }
+    HS_CHECK(false, "every compare op is handled");
+    return false;
+}
+
+} // namespace hs::scene
+
+namespace hs {
+template <> std::span<const Named<scene::Visibility>> names<scene::Visibility>();
+template <> std::span<const Named<scene::TraversalKind>> names<scene::TraversalKind>();
+template <> std::span<const Named<scene::CullFace>> names<scene::CullFace>();
+template <> std::span<const Named<scene::Winding>> names<scene::Winding>();
+template <> std::span<const Named<scene::Shading>> names<scene::Shading>();
+template <> std::span<const Named<scene::InterpolationKind>> names<scene::InterpolationKind>();
+template <> std::span<const Named<scene::CompareOp>> names<scene::CompareOp>();
+template <> std::span<const Named<scene::DepthFormat>> names<scene::DepthFormat>();
+template <> std::span<const Named<scene::DepthConvention>> names<scene::DepthConvention>();
+template <> std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
+template <> std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
+} // namespace hs
