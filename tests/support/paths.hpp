@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -8,20 +7,14 @@
 namespace hs::test {
 
 /// The top of the source tree.
-[[nodiscard]] inline std::filesystem::path source_dir() {
-    return HALFSPACE_SOURCE_DIR;
-}
+[[nodiscard]] std::filesystem::path source_dir();
+
+/// The program `halfspace` of this build; nothing where it is not built.
+[[nodiscard]] std::optional<std::filesystem::path> program();
 
 /// A mesh of the shared collection, which is not part of the repository: a test that wants one
-/// says so with WARN and returns when there is none.
-[[nodiscard]] inline std::optional<std::filesystem::path> data_file(std::string_view name) {
-    const char* const chosen = std::getenv("HALFSPACE_DATA");
-    const std::filesystem::path folder = chosen != nullptr ? chosen : HALFSPACE_DATA_DIR;
-    std::filesystem::path file = folder / name;
-    if (!std::filesystem::exists(file)) {
-        return std::nullopt;
-    }
-    return file;
-}
+/// says so with WARN and returns when there is none. HALFSPACE_DATA of the environment names
+/// another folder.
+[[nodiscard]] std::optional<std::filesystem::path> data_file(std::string_view name);
 
 } // namespace hs::test
