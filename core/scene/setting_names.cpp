@@ -1,0 +1,162 @@
+// The names of every choice a setting offers, each with the sentence that explains it.
+#include "core/scene/settings.hpp"
+
+namespace hs {
+
+namespace {
+
+using namespace scene; // NOLINT(google-build-using-namespace): tables of that room's enumerations
+
+constexpr Named<Visibility> visibility_names[] = {
+    {Visibility::none,
+     "none",
+     "triangles are drawn in file order, the later one covers the earlier one"},
+    {Visibility::z_buffer,
+     "z-buffer",
+     "every pixel remembers the depth of what it shows and keeps a fragment that passes the depth "
+     "test"},
+};
+
+constexpr Named<TraversalKind> traversal_names[] = {
+    {TraversalKind::brute_force,
+     "brute-force",
+     "every pixel of the viewport is tested against the three edges of every triangle"},
+    {TraversalKind::bounding_box,
+     "bounding-box",
+     "only the pixels of the triangle's bounding box are tested against its three edges"},
+};
+
+constexpr Named<CullFace> cull_names[] = {
+    {CullFace::none, "none", "both sides of every triangle are drawn"},
+    {CullFace::back, "back", "triangles seen from behind are discarded"},
+    {CullFace::front, "front", "triangles seen from the front are discarded"},
+};
+
+constexpr Named<Winding> winding_names[] = {
+    {Winding::ccw,
+     "ccw",
+     "a triangle whose corners run counter-clockwise on screen shows its front"},
+    {Winding::cw, "cw", "a triangle whose corners run clockwise on screen shows its front"},
+};
+
+constexpr Named<Shading> shading_names[] = {
+    {Shading::unlit, "unlit", "vertex color times diffuse color times texel, no lights"},
+    {Shading::flat, "flat", "one lighting computation per triangle, with its geometric normal"},
+    {Shading::gouraud, "gouraud", "lighting is computed per vertex and its color interpolated"},
+    {Shading::phong, "phong", "normals are interpolated and lighting is computed per fragment"},
+};
+
+constexpr Named<InterpolationKind> interpolation_names[] = {
+    {InterpolationKind::perspective,
+     "perspective",
+     "varyings are divided by clip w, interpolated in the window and multiplied back: true in "
+     "space"},
+    {InterpolationKind::linear,
+     "linear",
+     "varyings are interpolated linearly in the window, which bends textures in perspective"},
+    {InterpolationKind::flat,
+     "flat",
+     "every fragment takes the values of the provoking vertex, the last one"},
+};
+
+constexpr Named<CompareOp> compare_names[] = {
+    {CompareOp::never, "never", "no fragment passes"},
+    {CompareOp::less, "less", "a fragment passes when its depth is less than the stored depth"},
+    {CompareOp::lequal,
+     "lequal",
+     "a fragment passes when its depth is less than or equal to the stored depth"},
+    {CompareOp::equal, "equal", "a fragment passes when its depth equals the stored depth"},
+    {CompareOp::gequal,
+     "gequal",
+     "a fragment passes when its depth is greater than or equal to the stored depth"},
+    {CompareOp::greater,
+     "greater",
+     "a fragment passes when its depth is greater than the stored depth"},
+    {CompareOp::notequal,
+     "notequal",
+     "a fragment passes when its depth differs from the stored depth"},
+    {CompareOp::always, "always", "every fragment passes"},
+};
+
+constexpr Named<DepthFormat> depth_format_names[] = {
+    {DepthFormat::float32, "float32", "32-bit floating point: finest near 0"},
+    {DepthFormat::unorm24, "unorm24", "24-bit fixed point: 2^24 - 1 equal intervals over [0, 1]"},
+    {DepthFormat::unorm16,
+     "unorm16",
+     "16-bit fixed point: 65535 equal intervals, so surfaces soon fight"},
+};
+
+constexpr Named<DepthConvention> depth_convention_names[] = {
+    {DepthConvention::opengl,
+     "opengl",
+     "NDC z runs from -1 at the near plane to 1 at the far plane"},
+    {DepthConvention::direct3d,
+     "direct3d",
+     "NDC z runs from 0 at the near plane to 1 at the far plane"},
+    {DepthConvention::reversed,
+     "reversed",
+     "NDC z runs from 1 at the near plane to 0 at the far plane, where floats are finest"},
+};
+
+constexpr Named<DepthOrder> depth_order_names[] = {
+    {DepthOrder::late, "late", "the depth test comes after shading, as the pipeline is defined"},
+    {DepthOrder::early,
+     "early",
+     "the depth test comes before shading, so hidden fragments cost no shading"},
+};
+
+constexpr Named<ColorFormat> color_format_names[] = {
+    {ColorFormat::rgba8,
+     "rgba8",
+     "8 bits per channel: clamped to [0, 1], rounded to nearest, ties to even"},
+    {ColorFormat::rgba32f, "rgba32f", "a 32-bit float per channel: neither clamped nor rounded"},
+};
+
+} // namespace
+
+template <>
+std::span<const Named<Visibility>> names<Visibility>() {
+    return visibility_names;
+}
+template <>
+std::span<const Named<TraversalKind>> names<TraversalKind>() {
+    return traversal_names;
+}
+template <>
+std::span<const Named<CullFace>> names<CullFace>() {
+    return cull_names;
+}
+template <>
+std::span<const Named<Winding>> names<Winding>() {
+    return winding_names;
+}
+template <>
+std::span<const Named<Shading>> names<Shading>() {
+    return shading_names;
+}
+template <>
+std::span<const Named<InterpolationKind>> names<InterpolationKind>() {
+    return interpolation_names;
+}
+template <>
+std::span<const Named<CompareOp>> names<CompareOp>() {
+    return compare_names;
+}
+template <>
+std::span<const Named<DepthFormat>> names<DepthFormat>() {
+    return depth_format_names;
+}
+template <>
+std::span<const Named<DepthConvention>> names<DepthConvention>() {
+    return depth_convention_names;
+}
+template <>
+std::span<const Named<DepthOrder>> names<DepthOrder>() {
+    return depth_order_names;
+}
+template <>
+std::span<const Named<ColorFormat>> names<ColorFormat>() {
+    return color_format_names;
+}
+
+} // namespace hs

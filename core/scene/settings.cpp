@@ -1,0 +1,553 @@
+#include "core/scene/settings.hpp"
+
+#include "core/base/spelling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <type_traits>
+
+namespace hs::scene {
+
+namespace {
+
+constexpr int max_size = 8192;
+constexpr std::size_t max_clip_planes = 2;
+
+/// What is wrong with a value, without location; nothing when all is well.
+using Complaint = std::optional<std::string>;
+
+/// One row of the table: what people read, and how the value gets in and out.
+struct Row {
+    SettingInfo info;
+    Complaint (*assign)(Settings&, std::string_view key, const SettingValue&);
+    SettingValue (*read)(const Settings&); ///< defaults resolved
+    bool (*is_set)(const Settings&) = [](const Settings&) { return true; };
+};
+
+// ---- values as text
+// ----------------------------------------------------------------------------------------------
+
+/// The shortest TOML float that reads back as the same value.
+std::string print_number(double number) {
+    const auto as_float = static_cast<float>(number);
+    const bool is_float = static_cast<double>(as_float) == number;
+    std::string text = is_float ? fmt::format("{}", as_float) : fmt::format("{}", number);
+    if (text.find_first_of(".en") == std::string::npos) {
+        text += ".0";
+    }
+    return text;
+}
+
+std::string print_value(const SettingValue& value) {
+    if (const bool* truth = std::get_if<bool>(&value.value)) {
+        return *truth ? "true" : "false";
+    }
+    if (const std::int64_t* whole = std::get_if<std::int64_t>(&value.value)) {
+        return std::to_string(*whole);
+    }
+    if (const double* number = std::get_if<double>(&value.value)) {
+        return print_number(*number);
+    }
+    if (const std::string* text = std::get_if<std::string>(&value.value)) {
+        return '"' + *text + '"';
+    }
+    std::string list;
+    for (const SettingValue& entry : std::get<SettingValue::List>(value.value)) {
+        list += (list.empty() ? "" : ", ") + print_value(entry);
+    }
+    return '[' + list + ']';
+}
+
+std::string must_be(std::string_view key, std::string_view expected, const SettingValue& value) {
+    constexpr std::size_t longest_quote = 60;
+    std::string got = print_value(value);
+    if (got.size() > longest_quote) {
+        got = got.substr(0, longest_quote) + "…";
+    }
+    return fmt::format("{} must be {}, not {}", key, expected, got);
+}
+
+// ---- values as numbers
+// -------------------------------------------------------------------------------------------
+
+/// A whole or floating number that a float can hold.
+std::optional<float> to_float(const SettingValue& value) {
+    double number = 0.0;
+    if (const std::int64_t* whole = std::get_if<std::int64_t>(&value.value)) {
+        number = static_cast<double>(*whole);
+    } else if (const double* real = std::get_if<double>(&value.value)) {
+        number = *real;
+    } else {
+        return std::nullopt;
+    }
+    if (!(std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max()))) {
+        return std::nullopt; // infinite, too large, or NaN
+    }
+    return static_cast<float>(number);
+}
+
+std::optional<int> to_int(const SettingValue& value, int lowest, int highest) {
+    const std::int64_t* whole = std::get_if<std::int64_t>(&value.value);
+    if (whole == nullptr || *whole < lowest || *whole > highest) {
+        return std::nullopt;
+    }
+    return static_cast<int>(*whole);
+}
+
+/// The entries of a list; empty for anything else.
+std::span<const SettingValue> entries(const SettingValue& value) {
+    const SettingValue::List* list = std::get_if<SettingValue::List>(&value.value);
+    return list == nullptr ? std::span<const SettingValue>{} : std::span{*list};
+}
+
+std::optional<glm::vec4> to_vec4(const SettingValue& value) {
+    const std::span<const SettingValue> list = entries(value);
+    if (list.size() != 4) {
+        return std::nullopt;
+    }
+    glm::vec4 result{0.0F};
+    for (int i = 0; i < 4; ++i) {
+        const std::optional<float> entry = to_float(list[static_cast<std::size_t>(i)]);
+        if (!entry) {
+            return std::nullopt;
+        }
+        result[i] = *entry;
+    }
+    return result;
+}
+
+SettingValue from_vec4(const glm::vec4& v) {
+    SettingValue::List list;
+    for (int i = 0; i < 4; ++i) {
+        list.push_back({static_cast<double>(v[i])});
+    }
+    return {list};
+}
+
+/// [x, y, width, height] in pixels.
+std::optional<PixelRect> to_rect(const SettingValue& value) {
+    const std::span<const SettingValue> list = entries(value);
+    if (list.size() != 4) {
+        return std::nullopt;
+    }
+    const std::optional<int> x = to_int(list[0], -max_size, max_size);
+    const std::optional<int> y = to_int(list[1], -max_size, max_size);
+    const std::optional<int> width = to_int(list[2], 0, max_size);
+    const std::optional<int> height = to_int(list[3], 0, max_size);
+    if (!x || !y || !width || !height) {
+        return std::nullopt;
+    }
+    return PixelRect{*x, *y, *x + *width, *y + *height};
+}
+
+SettingValue from_rect(const PixelRect& rect) {
+    return {SettingValue::List{
+        {std::int64_t{rect.x0}},
+        {std::int64_t{rect.y0}},
+        {std::int64_t{rect.width()}},
+        {std::int64_t{rect.height()}},
+    }};
+}
+
+// ---- rows that follow from a member's type
+// -----------------------------------------------------------------------
+
+template <typename Enum>
+std::string list_of_choices() {
+    const std::span<const Named<Enum>> table = names<Enum>();
+    std::string text;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        text += i == 0 ? "" : i + 1 == table.size() ? " or " : ", ";
+        text += '"' + std::string{table[i].name} + '"';
+    }
+    return text;
+}
+
+template <typename Enum>
+std::vector<std::string_view> choices() {
+    std::vector<std::string_view> list;
+    for (const Named<Enum>& row : names<Enum>()) {
+        list.push_back(row.name);
+    }
+    return list;
+}
+
+template <typename Enum>
+Complaint assign_choice(Enum& target, std::string_view key, const SettingValue& value) {
+    const std::string* text = std::get_if<std::string>(&value.value);
+    const std::optional<Enum> choice = text == nullptr ? std::nullopt : parse_name<Enum>(*text);
+    if (!choice) {
+        return must_be(key, list_of_choices<Enum>(), value);
+    }
+    target = *choice;
+    return std::nullopt;
+}
+
+/// The text of a row; whether it may stand in an object's settings.
+struct Text {
+    std::string_view key;
+    std::string_view explanation;
+    std::string_view opengl;
+    bool per_object = false;
+};
+
+template <auto member>
+Row choice_row(const Text& text) {
+    using Enum = std::remove_cvref_t<decltype(Settings{}.*member)>;
+    return {
+        {text.key,
+         SettingType::choice,
+         text.explanation,
+         text.opengl,
+         text.per_object,
+         choices<Enum>()},
+        [](Settings& settings, std::string_view key, const SettingValue& value) {
+            return assign_choice(settings.*member, key, value);
+        },
+        [](const Settings& settings) {
+            return SettingValue{std::string{name_of(settings.*member)}};
+        },
+    };
+}
+
+template <bool Settings::*member>
+Row boolean_row(const Text& text) {
+    return {
+        {text.key, SettingType::boolean, text.explanation, text.opengl, text.per_object, {}},
+        [](Settings& settings, std::string_view key, const SettingValue& value) -> Complaint {
+            const bool* truth = std::get_if<bool>(&value.value);
+            if (truth == nullptr) {
+                return must_be(key, "true or false", value);
+            }
+            settings.*member = *truth;
+            return std::nullopt;
+        },
+        [](const Settings& settings) { return SettingValue{settings.*member}; },
+    };
+}
+
+SettingInfo info(const Text& text, SettingType type) {
+    return {text.key, type, text.explanation, text.opengl, text.per_object, {}};
+}
+
+// ---- rows of their own kind
+// --------------------------------------------------------------------------------------
+
+Complaint assign_size(Settings& settings, std::string_view key, const SettingValue& value) {
+    const std::span<const SettingValue> list = entries(value);
+    const bool pair = list.size() == 2;
+    const std::optional<int> width = pair ? to_int(list[0], 1, max_size) : std::nullopt;
+    const std::optional<int> height = pair ? to_int(list[1], 1, max_size) : std::nullopt;
+    if (!width || !height) {
+        return must_be(key, "[width, height], two whole numbers from 1 to 8192", value);
+    }
+    settings.width = *width;
+    settings.height = *height;
+    return std::nullopt;
+}
+
+SettingValue read_size(const Settings& settings) {
+    return {SettingValue::List{{std::int64_t{settings.width}}, {std::int64_t{settings.height}}}};
+}
+
+Complaint assign_background(Settings& settings, std::string_view key, const SettingValue& value) {
+    const std::optional<glm::vec4> color = to_vec4(value);
+    if (!color) {
+        return must_be(key, "[red, green, blue, alpha], four finite numbers", value);
+    }
+    settings.background = *color;
+    return std::nullopt;
+}
+
+Complaint assign_clip_planes(Settings& settings, std::string_view key, const SettingValue& value) {
+    constexpr std::string_view expected =
+        "a list of at most 2 planes [a, b, c, d] with a, b, c not all 0";
+    const std::span<const SettingValue> list = entries(value);
+    if (!std::holds_alternative<SettingValue::List>(value.value) || list.size() > max_clip_planes) {
+        return must_be(key, expected, value);
+    }
+    std::vector<glm::vec4> planes;
+    for (const SettingValue& entry : list) {
+        const std::optional<glm::vec4> plane = to_vec4(entry);
+        if (!plane || (plane->x == 0.0F && plane->y == 0.0F && plane->z == 0.0F)) {
+            return must_be(key, expected, value);
+        }
+        planes.push_back(*plane);
+    }
+    settings.clip_planes = planes;
+    return std::nullopt;
+}
+
+SettingValue read_clip_planes(const Settings& settings) {
+    SettingValue::List list;
+    for (const glm::vec4& plane : settings.clip_planes) {
+        list.push_back(from_vec4(plane));
+    }
+    return {list};
+}
+
+Complaint assign_depth_clear(Settings& settings, std::string_view key, const SettingValue& value) {
+    const std::optional<float> depth = to_float(value);
+    if (!depth || *depth < 0.0F || *depth > 1.0F) {
+        return must_be(key, "a number from 0 to 1", value);
+    }
+    settings.depth_clear_choice = *depth;
+    return std::nullopt;
+}
+
+Complaint assign_depth_test(Settings& settings, std::string_view key, const SettingValue& value) {
+    CompareOp op = CompareOp::less;
+    Complaint complaint = assign_choice(op, key, value);
+    if (!complaint) {
+        settings.depth_test_choice = op;
+    }
+    return complaint;
+}
+
+Complaint assign_viewport(Settings& settings, std::string_view key, const SettingValue& value) {
+    const std::optional<PixelRect> rect = to_rect(value);
+    if (!rect || rect->empty()) {
+        return must_be(key, "[x, y, width, height] in whole pixels, at least one", value);
+    }
+    settings.viewport_choice = *rect;
+    return std::nullopt;
+}
+
+Complaint assign_scissor(Settings& settings, std::string_view key, const SettingValue& value) {
+    if (value == SettingValue{false}) {
+        settings.scissor.reset();
+        return std::nullopt;
+    }
+    const std::optional<PixelRect> rect = to_rect(value);
+    if (!rect) {
+        return must_be(key, "[x, y, width, height] in whole pixels, or false", value);
+    }
+    settings.scissor = *rect;
+    return std::nullopt;
+}
+
+SettingValue read_scissor(const Settings& settings) {
+    return settings.scissor ? from_rect(*settings.scissor) : SettingValue{false};
+}
+
+// ---- the table
+// ---------------------------------------------------------------------------------------------------
+
+Row depth_test_row() {
+    SettingInfo text = info(
+        {"depth.test",
+         "how a fragment's depth must compare with the stored one; default less, greater when "
+         "reversed",
+         "glDepthFunc",
+         true},
+        SettingType::choice
+    );
+    text.choices = choices<CompareOp>();
+    return {text, assign_depth_test, [](const Settings& settings) {
+                return SettingValue{std::string{name_of(settings.depth_test())}};
+            }};
+}
+
+std::vector<Row> image_rows() {
+    return {
+        {info({"size", "width and height of the image in pixels", ""}, SettingType::list),
+         assign_size,
+         read_size},
+        {info(
+             {"background", "the color the image is cleared to", "glClearColor"}, SettingType::color
+         ),
+         assign_background,
+         [](const Settings& settings) { return from_vec4(settings.background); }},
+        choice_row<&Settings::color_format>(
+            {"color.format", "how the color buffer stores a channel", "glRenderbufferStorage"}
+        ),
+        {info(
+             {"viewport",
+              "the part of the image that NDC is mapped to: x, y of its top-left pixel, width, "
+              "height",
+              "glViewport"},
+             SettingType::list
+         ),
+         assign_viewport,
+         [](const Settings& settings) { return from_rect(settings.viewport()); },
+         [](const Settings& settings) { return settings.viewport_choice.has_value(); }},
+        {info(
+             {"scissor",
+              "fragments outside this rectangle are discarded: x, y of its top-left pixel, width, "
+              "height",
+              "glScissor"},
+             SettingType::list
+         ),
+         assign_scissor,
+         read_scissor,
+         [](const Settings& settings) { return settings.scissor.has_value(); }},
+    };
+}
+
+std::vector<Row> geometry_rows() {
+    return {
+        boolean_row<&Settings::clip_enabled>(
+            {"clip.enabled", "whether triangles are clipped against the view volume", ""}
+        ),
+        {info(
+             {"clip.planes",
+              "further planes [a, b, c, d] in eye space that cut away where ax + by + cz + d < 0",
+              "glClipPlane"},
+             SettingType::list
+         ),
+         assign_clip_planes,
+         read_clip_planes},
+        choice_row<&Settings::cull>(
+            {"cull",
+             "which side's triangles are discarded before rasterization",
+             "glCullFace",
+             true}
+        ),
+        choice_row<&Settings::front_face>(
+            {"front_face",
+             "which winding shows the front, on screen with y up",
+             "glFrontFace",
+             true}
+        ),
+    };
+}
+
+std::vector<Row> fragment_rows() {
+    return {
+        depth_test_row(),
+        boolean_row<&Settings::depth_write>(
+            {"depth.write",
+             "whether a fragment that passes replaces the stored depth",
+             "glDepthMask",
+             true}
+        ),
+        choice_row<&Settings::depth_format>(
+            {"depth.format", "how the depth buffer stores a value", "glRenderbufferStorage"}
+        ),
+        {info(
+             {"depth.clear",
+              "the depth every pixel starts with; default the far value of the convention",
+              "glClearDepth"},
+             SettingType::number
+         ),
+         assign_depth_clear,
+         [](const Settings& settings) {
+             return SettingValue{static_cast<double>(settings.depth_clear())};
+         }},
+        choice_row<&Settings::depth_convention>(
+            {"depth.convention", "which NDC z the near and the far plane get", "glClipControl"}
+        ),
+        choice_row<&Settings::depth_order>(
+            {"depth.order",
+             "whether the depth test comes before or after shading",
+             "layout(early_fragment_tests)",
+             true}
+        ),
+        boolean_row<&Settings::blend_enabled>(
+            {"blend.enabled",
+             "whether a fragment is mixed with the pixel by its alpha instead of replacing it",
+             "glEnable(GL_BLEND)",
+             true}
+        ),
+    };
+}
+
+std::vector<Row> algorithm_rows() {
+    return {
+        choice_row<&Settings::visibility>(
+            {"visibility", "which algorithm decides what hides what", "glEnable(GL_DEPTH_TEST)"}
+        ),
+        choice_row<&Settings::traversal>(
+            {"traversal", "which pixels are visited to find those a triangle covers", ""}
+        ),
+        choice_row<&Settings::shading>(
+            {"shading", "where lighting is computed, if at all", "glShadeModel"}
+        ),
+        choice_row<&Settings::interpolation>(
+            {"interpolation",
+             "how values at the vertices spread over a triangle",
+             "smooth, noperspective, flat"}
+        ),
+    };
+}
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> all = [] {
+        std::vector<Row> list;
+        for (const auto& group :
+             {image_rows(), algorithm_rows(), geometry_rows(), fragment_rows()}) {
+            list.insert(list.end(), group.begin(), group.end());
+        }
+        return list;
+    }();
+    return all;
+}
+
+const Row* find_row(std::string_view key) {
+    const auto found = std::ranges::find(rows(), key, [](const Row& row) { return row.info.key; });
+    return found == rows().end() ? nullptr : &*found;
+}
+
+const Row& known_row(std::string_view key) {
+    const Row* row = find_row(key);
+    HS_CHECK(row != nullptr, "only keys of the table of settings can be read");
+    return *row;
+}
+
+} // namespace
+
+std::span<const SettingInfo> setting_infos() {
+    static const std::vector<SettingInfo> infos = [] {
+        std::vector<SettingInfo> list;
+        for (const Row& row : rows()) {
+            list.push_back(row.info);
+        }
+        return list;
+    }();
+    return infos;
+}
+
+const SettingInfo* find_setting(std::string_view key) {
+    const Row* row = find_row(key);
+    return row == nullptr ? nullptr : &row->info;
+}
+
+std::optional<std::string>
+assign(Settings& settings, std::string_view key, const SettingValue& value) {
+    if (const Row* row = find_row(key)) {
+        return row->assign(settings, row->info.key, value);
+    }
+    std::vector<std::string_view> keys;
+    for (const Row& row : rows()) {
+        keys.push_back(row.info.key);
+    }
+    return fmt::format("there is no setting \"{}\"{}", key, did_you_mean(key, keys));
+}
+
+std::string print_setting(const Settings& settings, std::string_view key) {
+    return print_value(known_row(key).read(settings));
+}
+
+std::optional<SettingValue> read_setting(const Settings& settings, std::string_view key) {
+    const Row& row = known_row(key);
+    return row.is_set(settings) ? std::optional{row.read(settings)} : std::nullopt;
+}
+
+std::optional<std::string> check_combination(const Settings& settings) {
+    if (intersect(settings.viewport(), settings.image()) != settings.viewport()) {
+        return fmt::format(
+            "viewport {} does not lie within the image of {} x {} pixels",
+            print_setting(settings, "viewport"),
+            settings.width,
+            settings.height
+        );
+    }
+    return std::nullopt;
+}
+
+} // namespace hs::scene
