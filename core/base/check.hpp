@@ -1,12 +1,12 @@
-// Checks for the programmer's mistakes. The user's mistakes are diagnostics (diagnostic.hpp), never checks.
+// Checks for the programmer's mistakes. The user's mistakes are diagnostics (diagnostic.hpp), never
+// checks.
 #pragma once
 
 namespace hs {
 
 /// Prints file, line, the condition and what it means when it fails, then aborts.
-[[noreturn]] void check_failed(
-    const char* file, int line, const char* condition, const char* meaning
-);
+[[noreturn]] void
+check_failed(const char* file, int line, const char* condition, const char* meaning);
 
 } // namespace hs
 

@@ -1,7 +1,7 @@
 // Located messages for bad input, and Result: a value or the reasons why there is none.
 //
-// Three kinds of failure never mix: a programmer's mistake is a check (check.hpp), a user's bad input is a
-// Diagnostic, a rare but legal number is handled where it occurs and shown as a step.
+// Three kinds of failure never mix: a programmer's mistake is a check (check.hpp), a user's bad
+// input is a Diagnostic, a rare but legal number is handled where it occurs and shown as a step.
 #pragma once
 
 #include "core/base/check.hpp"
@@ -13,7 +13,8 @@
 
 namespace hs {
 
-/// One sentence about bad input and where it stands. Lines and columns count from 1; 0 means "the whole".
+/// One sentence about bad input and where it stands. Lines and columns count from 1; 0 means "the
+/// whole".
 struct Diagnostic {
     std::string file;
     int line = 0;
@@ -27,12 +28,16 @@ struct Diagnostic {
 using Diagnostics = std::vector<Diagnostic>;
 
 /// A value, or at least one diagnostic. The command line prints the first, the window lists all.
-template <typename T> class [[nodiscard]] Result {
-  public:
-    // Both conversions are implicit on purpose: `return mesh;` and `return Diagnostic{...};` read as they should.
-    Result(T value) : content_(std::move(value)) {}                                // NOLINT(google-explicit-constructor)
-    Result(Diagnostic diagnostic) : content_(Diagnostics{std::move(diagnostic)}) {} // NOLINT(google-explicit-constructor)
-    Result(Diagnostics diagnostics) : content_(std::move(diagnostics)) {           // NOLINT(google-explicit-constructor)
+template <typename T>
+class [[nodiscard]] Result {
+public:
+    // Both conversions are implicit on purpose: `return mesh;` and `return Diagnostic{...};` read
+    // as they should.
+    Result(T value) : content_(std::move(value)) {} // NOLINT(google-explicit-constructor)
+    Result(Diagnostic diagnostic)
+        : content_(Diagnostics{std::move(diagnostic)}) {} // NOLINT(google-explicit-constructor)
+    Result(Diagnostics diagnostics)
+        : content_(std::move(diagnostics)) { // NOLINT(google-explicit-constructor)
         HS_CHECK(!std::get<Diagnostics>(content_).empty(), "a failed Result says why");
     }
 
@@ -56,7 +61,7 @@ template <typename T> class [[nodiscard]] Result {
         return std::get<Diagnostics>(content_);
     }
 
-  private:
+private:
     std::variant<T, Diagnostics> content_;
 };
 

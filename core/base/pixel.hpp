@@ -1,4 +1,5 @@
-// Pixel addresses. Pixels count from the top-left pixel (0, 0), x to the right, y down, wherever people or files meet them.
+// Pixel addresses. Pixels count from the top-left pixel (0, 0), x to the right, y down, wherever
+// people or files meet them.
 #pragma once
 
 #include <algorithm>

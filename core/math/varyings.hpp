@@ -9,8 +9,9 @@
 
 namespace hs::math {
 
-/// Which varyings a draw uses and where they start in `Varyings::values`. Position in the array is fixed by need: color is
-/// always there, the others only where the shading asks for them, so that nothing unused is interpolated.
+/// Which varyings a draw uses and where they start in `Varyings::values`. Position in the array is
+/// fixed by need: color is always there, the others only where the shading asks for them, so that
+/// nothing unused is interpolated.
 struct VaryingLayout {
     int uv = -1;           ///< 2 floats, or -1: not used
     int normal = -1;       ///< 3 floats, eye space, or -1

@@ -1,0 +1,71 @@
+// Color and depth attachments of an untraced frame.
+#pragma once
+
+#include "core/base/hash.hpp"
+#include "core/base/pixel.hpp"
+#include "core/framebuffer/color.hpp"
+#include "core/scene/settings.hpp"
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hs::framebuffer {
+
+/// Where fragments read and write. A framebuffer is one; a recording and a re-run bring their own.
+/// Pixels are inside the image.
+template <typename T>
+concept PixelTarget =
+    requires(T target, const T& constant, PixelPos pixel, glm::vec4 color, float depth) {
+    { constant.depth(pixel) } -> std::convertible_to<float>;
+    { constant.color(pixel) } -> std::convertible_to<glm::vec4>;
+    target.set_depth(pixel, depth);
+    target.set_color(pixel, color);
+};
+
+class Framebuffer {
+public:
+    /// Cleared to the settings' background and depth clear value.
+    explicit Framebuffer(const scene::Settings& settings);
+
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] scene::ColorFormat color_format() const { return color_format_; }
+
+    [[nodiscard]] float depth(PixelPos p) const { return depth_[index(p)]; }
+    [[nodiscard]] glm::vec4 color(PixelPos p) const {
+        return color_format_ == scene::ColorFormat::rgba8 ? unpack(rgba8_[index(p)])
+                                                          : rgba32f_[index(p)];
+    }
+    void set_depth(PixelPos p, float depth) { depth_[index(p)] = depth; }
+    void set_color(PixelPos p, const glm::vec4& color) {
+        if (color_format_ == scene::ColorFormat::rgba8) {
+            rgba8_[index(p)] = pack(color);
+        } else {
+            rgba32f_[index(p)] = color;
+        }
+    }
+
+    /// Row 0 first; only for rgba8.
+    [[nodiscard]] const std::vector<Rgba8>& rgba8() const { return rgba8_; }
+
+    /// Over color and depth bits of every pixel in row order. Equal digests mean bit-identical
+    /// buffers.
+    [[nodiscard]] std::uint64_t digest() const;
+
+private:
+    [[nodiscard]] std::size_t index(PixelPos p) const {
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
+               static_cast<std::size_t>(p.x);
+    }
+
+    int width_;
+    int height_;
+    scene::ColorFormat color_format_;
+    std::vector<Rgba8> rgba8_;
+    std::vector<glm::vec4> rgba32f_;
+    std::vector<float> depth_;
+};
+
+} // namespace hs::framebuffer

@@ -1,0 +1,57 @@
+#include "core/pipeline/draw.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace hs::pipeline {
+namespace {
+
+glm::vec3 eye_position(const DrawCall& call, std::uint32_t vertex) {
+    const Transforms& t = call.vertex.transforms;
+    const math::EyePosition eye =
+        t.view(t.model(math::to_position<math::ObjectSpace>(call.vertex.mesh->positions[vertex])));
+    return {eye.x, eye.y, eye.z};
+}
+
+/// Lit once for the whole triangle.
+glm::vec4 flat_color(const DrawCall& call, const scene::TriangleIndices& indices) {
+    const glm::vec3 p0 = eye_position(call, indices.a);
+    const glm::vec3 p1 = eye_position(call, indices.b);
+    const glm::vec3 p2 = eye_position(call, indices.c);
+    const bool ccw = call.settings.front_face == scene::Winding::ccw;
+    const glm::vec3 normal = glm::cross(p1 - p0, p2 - p0) * (ccw ? 1.0F : -1.0F);
+
+    const shading::LightingTerms terms = shading::light_surface(
+        {.position = p2,
+         .normal = normal,
+         .to_viewer = shading::to_viewer(p2, call.vertex.shading.orthographic),
+         .color = call.vertices[indices.c].clip.varyings.color(),
+         .specular = call.vertex.shading.specular,
+         .shininess = call.vertex.shading.shininess},
+        call.vertex.shading.lights
+    );
+    return terms.color;
+}
+
+} // namespace
+
+geometry::ClipPolygon assemble(const DrawCall& call, const scene::TriangleIndices& indices) {
+    geometry::ClipPolygon polygon;
+    for (int corner = 0; corner < 3; ++corner) {
+        polygon.add(call.vertices[indices[corner]].clip);
+    }
+    if (call.settings.shading == scene::Shading::flat) {
+        const glm::vec4 color = flat_color(call, indices);
+        for (unsigned corner = 0; corner < 3; ++corner) {
+            polygon.vertices[corner].varyings.set(0, color); // texture coordinates still vary
+        }
+    }
+    if (call.settings.interpolation == scene::InterpolationKind::flat) {
+        const math::Varyings provoking = polygon[2].varyings;
+        for (unsigned corner = 0; corner < 3; ++corner) {
+            polygon.vertices[corner].varyings = provoking;
+        }
+    }
+    return polygon;
+}
+
+} // namespace hs::pipeline

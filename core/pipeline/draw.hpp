@@ -1,0 +1,325 @@
+// The whole pipeline on one page: vertex › clip › divide › viewport and snap › cull › setup ›
+// traverse › shade › test › merge.
+#pragma once
+
+#include "core/fragment/blend.hpp"
+#include "core/framebuffer/depth.hpp"
+#include "core/framebuffer/framebuffer.hpp"
+#include "core/pipeline/frame.hpp"
+#include "core/pipeline/narration.hpp"
+#include "core/raster/traverse.hpp"
+
+#include <limits>
+
+namespace hs::pipeline {
+
+/// Which part of a triangle's traversal to run: from unit `first_unit` of piece `first_piece` up
+/// to, not including, unit `last_unit` of piece `last_piece`. Geometry always runs. The default is
+/// everything.
+struct TriangleScope {
+    int first_piece = 0;
+    int first_unit = 0;
+    int last_piece = std::numeric_limits<int>::max();
+    int last_unit = 0;
+
+    [[nodiscard]] raster::UnitRange units(int piece) const {
+        raster::UnitRange range;
+        if (piece < first_piece || piece > last_piece) {
+            range.last = 0;
+        } else {
+            range.first = piece == first_piece ? first_unit : 0;
+            range.last = piece == last_piece ? last_unit : std::numeric_limits<int>::max();
+        }
+        return range;
+    }
+};
+
+/// Shade: interpolated varyings to a color.
+template <TraceSink Trace>
+glm::vec4 shade_fragment(const DrawCall& call, const raster::Fragment& fragment, Trace& trace) {
+    const shading::ShadedFragment shaded = shading::shade(call.vertex.shading, fragment.varyings);
+    trace.shaded(shaded);
+    return shaded.color;
+}
+
+/// Test: scissor, then depth. `depth` is the fragment's depth as the format stores it.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+fragment::FragmentFate test_fragment(
+    const DrawCall& call, PixelPos pixel, float depth, const Target& target, Trace& trace
+) {
+    if (call.settings.scissor) {
+        const bool inside = call.settings.scissor->contains(pixel);
+        trace.scissor_tested(inside);
+        if (!inside) {
+            return fragment::FragmentFate::scissor_failed;
+        }
+    }
+    if (call.settings.visibility == scene::Visibility::z_buffer) {
+        DepthTest test{
+            .depth = depth, .stored = target.depth(pixel), .op = call.settings.depth_test()};
+        test.passed = scene::compare(test.op, test.depth, test.stored);
+        trace.depth_tested(test);
+        if (!test.passed) {
+            return fragment::FragmentFate::depth_failed;
+        }
+    }
+    return fragment::FragmentFate::written;
+}
+
+/// Merge: blend the color into the pixel, replace its depth.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+void merge_fragment(
+    const DrawCall& call,
+    PixelPos pixel,
+    const glm::vec4& color,
+    float depth,
+    Target& target,
+    Trace& trace
+) {
+    Merge merge{
+        .source = color, .blended = call.settings.blend_enabled, .after = color, .depth = depth};
+    if (merge.blended) {
+        merge.before = target.color(pixel);
+        merge.after = fragment::blend_over(merge.source, merge.before);
+    }
+    target.set_color(pixel, merge.after);
+    merge.depth_written =
+        call.settings.visibility == scene::Visibility::z_buffer && call.settings.depth_write;
+    if (merge.depth_written) {
+        target.set_depth(pixel, depth);
+    }
+    trace.merged(merge);
+}
+
+/// One covered pixel: interpolate, then shade and test in the order the settings ask for, then
+/// merge.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+void draw_fragment(
+    const DrawCall& call,
+    const raster::Interpolants& interpolants,
+    const raster::TriangleSetup& setup,
+    PixelPos pixel,
+    const raster::EdgeValues& e,
+    Target& target,
+    Trace& trace
+) {
+    const raster::Fragment fragment = raster::interpolate(interpolants, setup, pixel, e);
+    trace.interpolated(fragment);
+    const float depth = framebuffer::store_depth(fragment.depth, call.settings.depth_format);
+
+    glm::vec4 color{0.0F};
+    fragment::FragmentFate fate = fragment::FragmentFate::written;
+    if (call.settings.depth_order == scene::DepthOrder::late) {
+        color = shade_fragment(call, fragment, trace);
+        fate = test_fragment(call, pixel, depth, target, trace);
+    } else {
+        fate = test_fragment(call, pixel, depth, target, trace);
+        if (fate == fragment::FragmentFate::written) {
+            color = shade_fragment(call, fragment, trace);
+        }
+    }
+    if (fate == fragment::FragmentFate::written) {
+        merge_fragment(call, pixel, color, depth, target, trace);
+    }
+    trace.fragment_end(fate);
+}
+
+/// A piece of a triangle: three clipped vertices and their place in the window.
+struct Piece {
+    std::array<const math::Varyings*, 3> varyings{};
+    std::array<geometry::WindowVertex, 3> window{};
+};
+
+/// Divide, viewport, cull, setup and traverse one piece.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+geometry::TriangleVerdict draw_piece(
+    const DrawCall& call, const Piece& piece, raster::UnitRange units, Target& target, Trace& trace
+) {
+    using geometry::TriangleVerdict;
+    const auto& [v0, v1, v2] = piece.window;
+
+    // Divide by w; a vertex with w = 0 has no place
+    trace.divided(piece.window);
+    for (const geometry::WindowVertex& vertex : piece.window) {
+        if (vertex.status == geometry::WindowStatus::at_eye) {
+            return TriangleVerdict::behind_the_eye;
+        }
+    }
+
+    // Map to the window and snap to 1/256 pixel
+    trace.mapped(piece.window);
+    for (const geometry::WindowVertex& vertex : piece.window) {
+        if (vertex.status == geometry::WindowStatus::too_far) {
+            return TriangleVerdict::too_large;
+        }
+    }
+
+    // Face: the sign of the snapped area decides
+    const std::int64_t area = geometry::doubled_area(v0.fixed, v1.fixed, v2.fixed);
+    const TriangleVerdict facing =
+        geometry::face_verdict(area, call.settings.front_face, call.settings.cull);
+    trace.faced(area, facing);
+    if (facing != TriangleVerdict::drawn) {
+        return facing;
+    }
+
+    // Set up edge functions and what will be interpolated
+    const PixelRect image = call.settings.image();
+    const raster::TriangleSetup setup = raster::set_up({v0.fixed, v1.fixed, v2.fixed}, area, image);
+    trace.set_up(setup);
+    const raster::Interpolants interpolants{
+        .depth0 = v0.window.depth,
+        .depth1 = v1.window.depth,
+        .depth2 = v2.window.depth,
+        .inv_w0 = v0.inv_w,
+        .inv_w1 = v1.inv_w,
+        .inv_w2 = v2.inv_w,
+        .varyings0 = piece.varyings[0],
+        .varyings1 = piece.varyings[1],
+        .varyings2 = piece.varyings[2],
+        .varying_count = call.vertex.layout.count,
+        .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
+    };
+
+    // Traverse: ask pixels, draw a fragment for each one covered
+    bool any = false;
+    raster::traverse(
+        call.settings.traversal,
+        setup,
+        image,
+        units,
+        trace,
+        [&](PixelPos pixel, const raster::EdgeValues& e) {
+            any = true;
+            draw_fragment(call, interpolants, setup, pixel, e, target, trace);
+        }
+    );
+    return any ? TriangleVerdict::drawn : TriangleVerdict::no_sample_covered;
+}
+
+/// The three vertices of a triangle as they enter clipping. With flat shading all carry the color
+/// lit with the triangle's geometric normal at the provoking vertex; with flat interpolation, all
+/// of the provoking vertex's varyings.
+geometry::ClipPolygon assemble(const DrawCall& call, const scene::TriangleIndices& indices);
+
+/// Of the verdicts of a triangle's pieces the one that says most: any drawn piece makes the
+/// triangle drawn.
+[[nodiscard]] inline geometry::TriangleVerdict
+stronger(geometry::TriangleVerdict a, geometry::TriangleVerdict b) {
+    using geometry::TriangleVerdict;
+    if (a == TriangleVerdict::drawn || b == TriangleVerdict::drawn) {
+        return TriangleVerdict::drawn;
+    }
+    return b == TriangleVerdict::degenerate ? a : b; // slivers of a clipped triangle say little
+}
+
+/// Clips a triangle that crosses planes and draws the pieces the polygon is fanned into.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+geometry::TriangleVerdict draw_clipped(
+    const DrawCall& call,
+    const geometry::ClipPolygon& triangle,
+    geometry::Outcode crossed,
+    const TriangleScope& scope,
+    Target& target,
+    Trace& trace
+) {
+    const geometry::ClipPolygon polygon =
+        geometry::clip_polygon(triangle, call.volume, crossed, trace);
+    if (polygon.count < 3) {
+        return geometry::TriangleVerdict::outside;
+    }
+
+    geometry::TriangleVerdict verdict = geometry::TriangleVerdict::degenerate;
+    for (int piece = 0; piece + 2 < polygon.count; ++piece) {
+        Piece fan;
+        const std::array<int, 3> corners{0, piece + 1, piece + 2};
+        for (unsigned k = 0; k < 3; ++k) {
+            const geometry::ClipVertex& vertex = polygon[corners[k]];
+            fan.varyings[k] = &vertex.varyings;
+            fan.window[k] = geometry::to_window(vertex.position, call.viewport);
+        }
+        trace.piece_begin(piece);
+        verdict = stronger(verdict, draw_piece(call, fan, scope.units(piece), target, trace));
+    }
+    return verdict;
+}
+
+/// One triangle through every stage after the vertex stage.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+geometry::TriangleVerdict draw_triangle(
+    const DrawCall& call,
+    std::uint32_t triangle,
+    const TriangleScope& scope,
+    Target& target,
+    Trace& trace
+) {
+    const scene::TriangleIndices& indices = call.triangles()[triangle];
+    const ShadedVertex& v0 = call.vertices[indices.a];
+    const ShadedVertex& v1 = call.vertices[indices.b];
+    const ShadedVertex& v2 = call.vertices[indices.c];
+    trace.triangle_begin(call.object, triangle);
+
+    // Outcodes: outside one plane with all vertices means invisible, inside all planes means
+    // nothing to clip
+    trace.outcodes({v0.outcode, v1.outcode, v2.outcode});
+    const unsigned all = v0.outcode & v1.outcode & v2.outcode;
+    const unsigned any = v0.outcode | v1.outcode | v2.outcode;
+    const auto crossed = static_cast<geometry::Outcode>(any);
+
+    geometry::TriangleVerdict verdict = geometry::TriangleVerdict::outside;
+    const bool constant = call.settings.shading == scene::Shading::flat ||
+                          call.settings.interpolation == scene::InterpolationKind::flat;
+    if (!call.settings.clip_enabled || all == 0) {
+        const bool clip = call.settings.clip_enabled && any != 0;
+        if (clip) {
+            verdict = draw_clipped(call, assemble(call, indices), crossed, scope, target, trace);
+        } else {
+            Piece whole{
+                {&v0.clip.varyings, &v1.clip.varyings, &v2.clip.varyings},
+                {v0.window, v1.window, v2.window},
+            };
+            geometry::ClipPolygon assembled;
+            if (constant) {
+                assembled = assemble(call, indices);
+                whole.varyings = {
+                    &assembled[0].varyings, &assembled[1].varyings, &assembled[2].varyings};
+            }
+            trace.piece_begin(0);
+            verdict = draw_piece(call, whole, scope.units(0), target, trace);
+        }
+    }
+    trace.triangle_end(verdict, crossed);
+    return verdict;
+}
+
+/// The vertex stage of one object.
+template <TraceSink Trace>
+void run_vertex_stage(DrawCall& call, Trace& trace) {
+    const std::size_t count = call.vertex.mesh->positions.size();
+    const int steps = steps_per_vertex(call.settings.shading);
+    call.vertices.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const VertexWork work = run_vertex(call.vertex, i);
+        trace.vertex_run(call.object, i, work, steps);
+        call.vertices[i] = {
+            .clip = {work.clip, work.varyings},
+            .window = geometry::to_window(work.clip, call.viewport),
+            .outcode = geometry::outcode(call.volume, work.clip),
+        };
+    }
+}
+
+/// A whole frame: every object's vertices, then every object's triangles, in file order.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+void draw_frame(Frame& frame, Target& target, Trace& trace) {
+    for (DrawCall& call : frame.calls()) {
+        run_vertex_stage(call, trace);
+    }
+    for (const DrawCall& call : frame.calls()) {
+        for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
+            draw_triangle(call, i, {}, target, trace);
+        }
+    }
+}
+
+} // namespace hs::pipeline

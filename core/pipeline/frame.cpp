@@ -1,0 +1,84 @@
+#include "core/pipeline/frame.hpp"
+
+#include <glm/matrix.hpp>
+
+#include <utility>
+
+namespace hs::pipeline {
+namespace {
+
+/// Color always; texture coordinates, normals and positions only where shading reads them.
+math::VaryingLayout layout_for(const scene::Settings& settings, bool textured) {
+    math::VaryingLayout layout;
+    const auto reserve = [&layout](int floats) {
+        const int start = layout.count;
+        layout.count += floats;
+        return start;
+    };
+    if (textured) {
+        layout.uv = reserve(2);
+    }
+    if (settings.shading == scene::Shading::phong) {
+        layout.normal = reserve(3);
+        layout.eye_position = reserve(3);
+    }
+    return layout;
+}
+
+Transforms transforms_of(const scene::Scene& scene, const scene::Object& object) {
+    const scene::Settings& settings = scene.settings;
+    const PixelRect viewport = settings.viewport();
+    const float aspect =
+        static_cast<float>(viewport.width()) / static_cast<float>(viewport.height());
+    Transforms t;
+    t.model = {scene::object_to_world(object)};
+    t.view = scene::view_transform(scene.camera);
+    t.projection = scene::projection_transform(scene.camera, aspect, settings.depth_convention);
+    t.normal = glm::transpose(glm::inverse(glm::mat3{t.view.matrix * t.model.matrix}));
+    return t;
+}
+
+bool is_orthographic(const scene::Camera& camera) {
+    return camera.projection.kind == scene::ProjectionKind::orthographic ||
+           camera.projection.kind == scene::ProjectionKind::identity;
+}
+
+} // namespace
+
+Frame::Frame(std::shared_ptr<const scene::Scene> scene)
+    : scene_(std::move(scene)),
+      lights_(
+          shading::lights_in_eye_space(scene_->lights, scene::view_transform(scene_->camera).matrix)
+      ) {
+    static const scene::Material plain{};
+    for (std::size_t i = 0; i < scene_->objects.size(); ++i) {
+        const scene::Object& object = scene_->objects[i];
+        const scene::Material& material =
+            object.material ? scene_->materials[*object.material] : plain;
+        const bool textured = material.texture != nullptr && !object.mesh->uvs.empty();
+
+        DrawCall call;
+        call.object = static_cast<std::uint32_t>(i);
+        call.settings = scene::object_settings(*scene_, object);
+        call.vertex.mesh = object.mesh.get();
+        call.vertex.transforms = transforms_of(*scene_, object);
+        call.vertex.layout = layout_for(call.settings, textured);
+        call.vertex.diffuse = material.diffuse;
+        call.vertex.shading = {
+            .shading = call.settings.shading,
+            .layout = call.vertex.layout,
+            .texture = textured ? material.texture.get() : nullptr,
+            .specular = material.specular,
+            .shininess = material.shininess,
+            .orthographic = is_orthographic(scene_->camera),
+            .lights = lights_,
+        };
+        call.volume =
+            geometry::clip_volume(call.settings, call.vertex.transforms.projection.matrix);
+        call.viewport =
+            geometry::make_viewport(call.settings.viewport(), call.settings.depth_convention);
+        calls_.push_back(std::move(call));
+    }
+}
+
+} // namespace hs::pipeline

@@ -1,0 +1,51 @@
+// A frame made ready: a scene's objects as draw calls, with all state resolved and all vertices
+// shaded.
+#pragma once
+
+#include "core/pipeline/vertex_stage.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace hs::pipeline {
+
+/// One object's draw: state, and its vertices after the vertex stage.
+struct DrawCall {
+    std::uint32_t object = 0;
+    scene::Settings settings; ///< the frame's with the object's overrides
+    VertexInputs vertex;
+    geometry::ClipVolume volume;
+    geometry::Viewport viewport;
+    std::vector<ShadedVertex> vertices; ///< as many as the mesh has, once the vertex stage has run
+
+    [[nodiscard]] const std::vector<scene::TriangleIndices>& triangles() const {
+        return vertex.mesh->triangles;
+    }
+};
+
+/// Not copyable: draw calls point at the lights and at the scene's meshes.
+class Frame {
+public:
+    /// Resolves matrices, lights and per-object settings; runs no stage yet. The scene must be
+    /// valid (see scene_file.hpp).
+    explicit Frame(std::shared_ptr<const scene::Scene> scene);
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+    Frame(Frame&&) = delete;
+    Frame& operator=(Frame&&) = delete;
+    ~Frame() = default;
+
+    [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+    [[nodiscard]] const std::shared_ptr<const scene::Scene>& shared_scene() const { return scene_; }
+    [[nodiscard]] const scene::Settings& settings() const { return scene_->settings; }
+    [[nodiscard]] const std::vector<DrawCall>& calls() const { return calls_; }
+    [[nodiscard]] std::vector<DrawCall>& calls() { return calls_; }
+
+private:
+    std::shared_ptr<const scene::Scene> scene_;
+    std::vector<shading::EyeLight> lights_;
+    std::vector<DrawCall> calls_;
+};
+
+} // namespace hs::pipeline

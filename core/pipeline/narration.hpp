@@ -1,0 +1,104 @@
+// What the pipeline says while it runs. Every call marked *step* is one moment a playhead can stand
+// on; the others only structure the story. A sink listens and never steers: deleting every `trace.`
+// line must leave a correct program, and a test compares the framebuffers of all sinks.
+#pragma once
+
+#include "core/base/pixel.hpp"
+#include "core/fragment/fate.hpp"
+#include "core/geometry/clip_polygon.hpp"
+#include "core/geometry/facing.hpp"
+#include "core/geometry/viewport.hpp"
+#include "core/pipeline/vertex_stage.hpp"
+#include "core/raster/interpolation.hpp"
+#include "core/raster/triangle_setup.hpp"
+#include "core/shading/shade.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstdint>
+
+namespace hs::pipeline {
+
+/// The depth test's numbers: `passed` is compare(op, depth, stored).
+struct DepthTest {
+    float depth = 0.0F;  ///< the fragment's, as its format stores it
+    float stored = 0.0F; ///< the buffer's, before
+    scene::CompareOp op = scene::CompareOp::less;
+    bool passed = false;
+};
+
+/// What merging changed.
+struct Merge {
+    glm::vec4 source{0.0F};
+    glm::vec4 before{0.0F}; ///< read only where blending needs it, else 0
+    bool blended = false;
+    glm::vec4 after{0.0F}; ///< before the color format rounds it
+    bool depth_written = false;
+    float depth = 0.0F;
+};
+
+template <typename T>
+concept TraceSink = requires(
+    T t,
+    const T& ct,
+    std::uint32_t id,
+    int number,
+    const VertexWork& work,
+    const std::array<geometry::Outcode, 3>& codes,
+    const geometry::ClipPolygon& polygon,
+    const std::array<geometry::WindowVertex, 3>& window,
+    std::int64_t area,
+    geometry::TriangleVerdict verdict,
+    const raster::TriangleSetup& setup,
+    PixelPos pixel,
+    const raster::EdgeValues& e,
+    const raster::Fragment& fragment,
+    const shading::ShadedFragment& shaded,
+    const DepthTest& depth,
+    const Merge& merge,
+    fragment::FragmentFate fate
+) {
+    t.vertex_run(id, id, work, number); // *step* × number: world, eye, clip, and light for Gouraud
+    t.triangle_begin(id, id);
+    t.outcodes(codes);                                      // *step*
+    t.clipped(geometry::ClipPlane::near, polygon, polygon); // *step*, per plane that clips
+    t.piece_begin(number);
+    t.divided(window);      // *step*
+    t.mapped(window);       // *step*
+    t.faced(area, verdict); // *step*
+    t.set_up(setup);        // *step*
+    t.unit(number);
+    t.edge_test(pixel, e, true); // *step*
+    t.interpolated(fragment);    // *step*
+    t.shaded(shaded);            // *step*
+    t.scissor_tested(true);      // *step*, only with a scissor rectangle
+    t.depth_tested(depth);       // *step*, only with z-buffer visibility
+    t.merged(merge);             // *step*, only if every test passed
+    t.fragment_end(fate);
+    t.triangle_end(verdict, geometry::Outcode{});
+};
+
+/// The sink that compiles away.
+struct NullTrace {
+    void vertex_run(std::uint32_t, std::uint32_t, const VertexWork&, int) {}
+    void triangle_begin(std::uint32_t, std::uint32_t) {}
+    void outcodes(const std::array<geometry::Outcode, 3>&) {}
+    void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {}
+    void piece_begin(int) {}
+    void divided(const std::array<geometry::WindowVertex, 3>&) {}
+    void mapped(const std::array<geometry::WindowVertex, 3>&) {}
+    void faced(std::int64_t, geometry::TriangleVerdict) {}
+    void set_up(const raster::TriangleSetup&) {}
+    void unit(int) {}
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
+    void interpolated(const raster::Fragment&) {}
+    void shaded(const shading::ShadedFragment&) {}
+    void scissor_tested(bool) {}
+    void depth_tested(const DepthTest&) {}
+    void merged(const Merge&) {}
+    void fragment_end(fragment::FragmentFate) {}
+    void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+};
+static_assert(TraceSink<NullTrace>);
+
+} // namespace hs::pipeline

@@ -1,0 +1,37 @@
+// Pixel history: every fragment that reached a pixel, in order.
+#pragma once
+
+#include "core/trace/detail.hpp"
+#include "core/trace/recording.hpp"
+
+#include <vector>
+
+namespace hs::trace {
+
+struct HistoryRow {
+    std::uint32_t fragment = 0;
+    std::uint32_t object = 0;
+    std::uint32_t triangle = 0;       ///< of the object
+    std::uint32_t frame_triangle = 0; ///< over the whole frame
+    StepId last_step = 0;             ///< where its fate was decided
+    float depth = 0.0F;
+    float stored_depth = 0.0F; ///< before
+    glm::vec4 before{0.0F};
+    glm::vec4 after{0.0F};
+    fragment::FragmentFate fate = fragment::FragmentFate::written;
+};
+
+struct PixelHistory {
+    PixelPos pixel;
+    glm::vec4 initial_color{0.0F};
+    float initial_depth = 1.0F;
+    std::vector<HistoryRow> rows; ///< in execution order
+    std::uint64_t left_out = 0;   ///< earlier fragments beyond `limit`
+    glm::vec4 final_color{0.0F};
+    float final_depth = 1.0F;
+};
+
+/// The last `limit` fragments that reached the pixel. Precondition: the pixel lies in the image.
+PixelHistory pixel_history(const Recording& recording, PixelPos pixel, std::size_t limit = 4096);
+
+} // namespace hs::trace

@@ -1,0 +1,170 @@
+// A recording: the facts of one frame, and what is needed to reach any moment of it quickly.
+//
+// Facts are recorded, reasoning is re-derived (re_run.hpp). Bounded memory: the fragment log has 20
+// bytes per fragment; the step index has an entry per 2048 steps or per unit, whichever is coarser;
+// checkpoints of the framebuffer keep to a budget, doubling their spacing when they reach it (after
+// Box2D's recorder, src/recording_replay.c).
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "core/fragment/fate.hpp"
+#include "core/framebuffer/color.hpp"
+#include "core/geometry/facing.hpp"
+#include "core/pipeline/frame.hpp"
+#include "core/trace/chunked.hpp"
+#include "core/trace/step.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace hs::trace {
+
+inline constexpr std::uint32_t no_fragment = 0xFFFFFFFFU;
+inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFU;
+
+/// One fragment, in execution order.
+struct FragmentRecord {
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+    float depth = 0.0F; ///< as tested: clamped and rounded to the depth format
+    framebuffer::Rgba8 color =
+        0; ///< the pixel's color *after* the fragment (rgba8; else see color32f)
+    std::uint32_t previous =
+        no_fragment; ///< the fragment that reached the same pixel before, whatever its fate
+    fragment::FragmentFate fate = fragment::FragmentFate::written;
+    bool depth_written = false;
+    std::uint16_t reserved = 0;
+
+    [[nodiscard]] PixelPos pixel() const { return {x, y}; }
+    [[nodiscard]] bool written() const { return fate == fragment::FragmentFate::written; }
+};
+static_assert(sizeof(FragmentRecord) == 20);
+
+/// A stretch of the fragment log made by one piece of one triangle.
+struct Run {
+    std::uint32_t first_fragment = 0;
+    std::uint32_t triangle = 0; ///< over the whole frame, in file order
+    std::uint16_t piece = 0;
+};
+
+/// What has happened up to a step.
+struct Counters {
+    std::uint64_t vertices = 0;       ///< through the vertex stage
+    std::uint64_t triangles = 0;      ///< that entered clipping
+    std::uint64_t clipped = 0;        ///< of those, crossing at least one plane
+    std::uint64_t pieces = 0;         ///< triangles after clipping, divided
+    std::uint64_t pieces_mapped = 0;  ///< that reached the window
+    std::uint64_t pieces_faced = 0;   ///< whose area was computed
+    std::uint64_t pieces_set_up = 0;  ///< that survived culling
+    std::uint64_t pixels_visited = 0; ///< edge tests
+    std::uint64_t fragments = 0;      ///< covered pixels
+    std::uint64_t fragments_shaded = 0;
+    std::uint64_t fragments_tested = 0;                      ///< entered the tests
+    std::array<std::uint64_t, fragment::fate_count> fates{}; ///< by FragmentFate
+    friend bool operator==(const Counters&, const Counters&) = default;
+};
+
+/// A place to start a re-run from: the beginning of a triangle, or of a unit inside one.
+struct IndexEntry {
+    StepId step = 0;            ///< the first step of what follows
+    std::uint32_t fragment = 0; ///< the first fragment of what follows
+    std::uint32_t object = 0;
+    std::uint32_t triangle = 0; ///< of the object
+    std::int32_t piece = 0;
+    std::int32_t unit = -1; ///< −1: the triangle's beginning
+    Counters before;
+};
+
+/// What a pixel holds, beside its color in rgba32f frames.
+struct PixelRecord {
+    framebuffer::Rgba8 color = 0;
+    float depth = 0.0F;
+    std::uint32_t triangle = no_triangle; ///< owner, over the whole frame in file order
+    std::uint16_t complexity = 0; ///< fragments generated here; 65535 means "that many or more"
+    std::uint16_t overdraw = 0;   ///< fragments written here; likewise
+    friend bool operator==(const PixelRecord&, const PixelRecord&) = default;
+};
+static_assert(sizeof(PixelRecord) == 16);
+
+/// All pixels, row by row from the top.
+struct PixelBuffer {
+    std::vector<PixelRecord> pixels;
+    std::vector<glm::vec4> color32f; ///< rgba32f frames only, else empty
+    friend bool operator==(const PixelBuffer&, const PixelBuffer&) = default;
+};
+
+/// The framebuffer after the first `fragments` fragments.
+struct Checkpoint {
+    std::uint32_t fragments = 0;
+    PixelBuffer buffer;
+};
+
+/// One object's place in the frame-wide tables.
+struct ObjectRange {
+    std::uint32_t first_vertex = 0;
+    std::uint32_t vertex_count = 0;
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangle_count = 0;
+    StepId first_vertex_step = 0; ///< of its vertex stage
+    int steps_per_vertex = 3;
+};
+
+struct TriangleRecord {
+    StepId first_step = 0; ///< its outcodes
+    geometry::TriangleVerdict verdict = geometry::TriangleVerdict::drawn;
+    geometry::Outcode crossed = 0; ///< planes some vertex is outside of
+};
+
+/// Filled by `record`, constant afterwards.
+struct Recording {
+    std::shared_ptr<pipeline::Frame> frame; ///< with shaded vertices
+    std::vector<ObjectRange> objects;
+    std::vector<TriangleRecord> triangles; ///< over the whole frame, in file order
+    Chunked<FragmentRecord> fragments;
+    Chunked<glm::vec4> color32f; ///< per fragment, rgba32f frames only
+    std::vector<Run> runs;
+    std::vector<IndexEntry>
+        index; ///< by step; the first entry is the first triangle's beginning, if there is one
+    std::vector<Checkpoint> checkpoints; ///< by fragments; the first is the cleared framebuffer
+    std::vector<std::uint32_t>
+        last_fragment; ///< per pixel: the last that reached it, or no_fragment
+    PixelBuffer final_pixels;
+    Counters counters;              ///< of the whole frame
+    StepId first_triangle_step = 0; ///< the step after the vertex stage
+    StepId end_step = 0;            ///< the number of the last step, `end`
+    double seconds = 0.0;           ///< how long recording took, for the introspection panel
+
+    [[nodiscard]] const scene::Scene& scene() const { return frame->scene(); }
+    [[nodiscard]] const scene::Settings& settings() const { return frame->settings(); }
+    [[nodiscard]] int width() const { return settings().width; }
+    [[nodiscard]] int height() const { return settings().height; }
+    [[nodiscard]] std::size_t pixel_index(PixelPos p) const {
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width()) +
+               static_cast<std::size_t>(p.x);
+    }
+    /// Frame-wide triangle number to object and its own number. Precondition: in range.
+    [[nodiscard]] std::uint32_t object_of_triangle(std::uint32_t triangle) const;
+    /// The run a fragment belongs to.
+    [[nodiscard]] const Run& run_of_fragment(std::uint32_t fragment) const;
+    /// What the facts take in memory, without scene and shaded vertices.
+    [[nodiscard]] std::size_t bytes() const;
+    /// Color and depth bits of the final image; equals Framebuffer::digest() of the untraced frame.
+    [[nodiscard]] std::uint64_t digest() const;
+};
+
+struct RecordOptions {
+    std::size_t checkpoint_budget = std::size_t{192} << 20U; ///< bytes
+    std::uint32_t checkpoint_spacing = 1U << 20U; ///< fragments between checkpoints, at first
+    /// Called now and then with the part done in [0, 1]; returning false stops. May be empty.
+    std::function<bool(double)> progress;
+};
+
+/// Runs the pipeline over the scene and keeps its facts. Errors: stopped by `progress`; more
+/// fragments than can be numbered; out of memory.
+Result<std::shared_ptr<const Recording>>
+record(std::shared_ptr<const scene::Scene> scene, const RecordOptions& options = {});
+
+} // namespace hs::trace

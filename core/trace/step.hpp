@@ -1,0 +1,115 @@
+// Steps: the addressable moments of a frame.
+//
+// A step has a flat number (0 is `start`, the cleared framebuffer; the last is `end`) and a path
+// people can write: `object 0 / triangle 12 / fragment 31,17 / depth test`. The state shown at a
+// step is the state *after* it.
+#pragma once
+
+#include "core/base/named.hpp"
+#include "core/base/pixel.hpp"
+#include "core/geometry/clip_volume.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace hs::trace {
+
+using StepId = std::uint64_t;
+
+enum class StepKind : std::uint8_t {
+    start,
+    vertex_world,
+    vertex_eye,
+    vertex_clip,
+    vertex_light,
+    outcodes,
+    clip_plane,
+    divide,
+    viewport,
+    facing,
+    setup,
+    edge_test,
+    interpolate,
+    shade,
+    scissor_test,
+    depth_test,
+    merge,
+    end,
+};
+
+/// The rooms of the pipeline, as the strip shows them.
+enum class Stage : std::uint8_t {
+    application,
+    vertex,
+    clip,
+    divide,
+    viewport,
+    cull,
+    setup,
+    traverse,
+    shade,
+    test,
+    merge,
+};
+inline constexpr int stage_count = 11;
+
+Stage stage_of(StepKind kind);
+
+/// How far one press of a key goes, from coarse to fine. A coarse step ends on the last step of its
+/// unit.
+enum class Granularity : std::uint8_t {
+    stage,
+    object,
+    triangle,
+    scanline,
+    fragment,
+    operation
+};
+
+/// Where a step stands. Fields that a kind has no use for keep their defaults.
+struct Step {
+    StepId id = 0;
+    StepKind kind = StepKind::start;
+    std::uint32_t object = 0;
+    std::uint32_t vertex = 0;   ///< vertex kinds: index into the object's mesh
+    std::uint32_t triangle = 0; ///< outcodes and later: index into the object's triangles
+    bool clipped = false;       ///< the triangle was clipped, so that its piece is part of the path
+    std::int32_t piece = 0;     ///< divide and later
+    std::int32_t unit = 0;      ///< edge test and later: row of the traversal
+    geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
+    PixelPos pixel;                                        ///< edge test and later
+    bool covered = false;       ///< edge test: the pixel is inside; fragment kinds: true
+    bool passed = true;         ///< tests: the verdict
+    std::uint32_t fragment = 0; ///< interpolate and later: index into the fragment log
+
+    [[nodiscard]] bool in_vertex_stage() const {
+        return kind >= StepKind::vertex_world && kind <= StepKind::vertex_light;
+    }
+    [[nodiscard]] bool in_triangle() const {
+        return kind >= StepKind::outcodes && kind <= StepKind::merge;
+    }
+    [[nodiscard]] bool has_piece() const {
+        return kind >= StepKind::divide && kind <= StepKind::merge;
+    }
+    [[nodiscard]] bool has_pixel() const {
+        return kind >= StepKind::edge_test && kind <= StepKind::merge;
+    }
+    [[nodiscard]] bool in_fragment() const {
+        return kind >= StepKind::interpolate && kind <= StepKind::merge;
+    }
+    friend bool operator==(const Step&, const Step&) = default;
+};
+
+/// The path of a step, complete down to the operation.
+std::string step_path(const Step& step);
+
+} // namespace hs::trace
+
+namespace hs {
+template <>
+std::span<const Named<trace::StepKind>> names<trace::StepKind>();
+template <>
+std::span<const Named<trace::Stage>> names<trace::Stage>();
+template <>
+std::span<const Named<trace::Granularity>> names<trace::Granularity>();
+} // namespace hs
