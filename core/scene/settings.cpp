@@ -124,7 +124,7 @@ std::optional<glm::vec4> to_vec4(const SettingValue& value) {
 SettingValue from_vec4(const glm::vec4& v) {
     SettingValue::List list;
     for (int i = 0; i < 4; ++i) {
-        list.push_back({static_cast<double>(v[i])});
+        list.emplace_back().value = static_cast<double>(v[i]);
     }
     return {list};
 }
