@@ -16,10 +16,10 @@ namespace hs {
 /// One sentence about bad input and where it stands. Lines and columns count from 1; 0 means "the
 /// whole".
 struct Diagnostic {
-    std::string file;
+    std::string file{};
     int line = 0;
     int column = 0;
-    std::string message; ///< Says what is wrong and what to do, without a final full stop.
+    std::string message{}; ///< Says what is wrong and what to do, without a final full stop.
 
     /// "file:line:column: message", leaving out what is unknown.
     [[nodiscard]] std::string to_string() const;

@@ -13,7 +13,7 @@ struct HistoryRow {
     std::uint32_t object = 0;
     std::uint32_t triangle = 0;       ///< of the object
     std::uint32_t frame_triangle = 0; ///< over the whole frame
-    StepId last_step = 0;             ///< where its fate was decided
+    StepId triangle_step = 0; ///< first step of its triangle, cheap; exact: last_step_of_fragment
     float depth = 0.0F;
     float stored_depth = 0.0F; ///< before
     glm::vec4 before{0.0F};

@@ -128,7 +128,8 @@ struct Recording {
     std::vector<Run> runs;
     std::vector<IndexEntry>
         index; ///< by step; the first entry is the first triangle's beginning, if there is one
-    std::vector<Checkpoint> checkpoints; ///< by fragments; the first is the cleared framebuffer
+    std::vector<Checkpoint>
+        checkpoints; ///< by fragments; the cleared framebuffer is not kept, it is made
     std::vector<std::uint32_t>
         last_fragment; ///< per pixel: the last that reached it, or no_fragment
     PixelBuffer final_pixels;
@@ -154,6 +155,9 @@ struct Recording {
     /// Color and depth bits of the final image; equals Framebuffer::digest() of the untraced frame.
     [[nodiscard]] std::uint64_t digest() const;
 };
+
+/// What every pixel holds before the first fragment.
+PixelBuffer cleared_pixels(const scene::Settings& settings);
 
 struct RecordOptions {
     std::size_t checkpoint_budget = std::size_t{192} << 20U; ///< bytes

@@ -77,7 +77,7 @@ struct Step {
     std::int32_t piece = 0;     ///< divide and later
     std::int32_t unit = 0;      ///< edge test and later: row of the traversal
     geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
-    PixelPos pixel;                                        ///< edge test and later
+    PixelPos pixel{};                                      ///< edge test and later
     bool covered = false;       ///< edge test: the pixel is inside; fragment kinds: true
     bool passed = true;         ///< tests: the verdict
     std::uint32_t fragment = 0; ///< interpolate and later: index into the fragment log

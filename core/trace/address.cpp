@@ -1,0 +1,73 @@
+// From flat step numbers to addresses, and to the ends of fragments and triangles.
+#include "core/trace/outline.hpp"
+#include "core/trace/player.hpp"
+
+#include <algorithm>
+
+namespace hs::trace {
+namespace {
+
+Step describe_vertex_step(const Recording& recording, StepId step) {
+    const auto after = std::upper_bound(
+        recording.objects.begin(),
+        recording.objects.end(),
+        step,
+        [](StepId s, const ObjectRange& object) { return s < object.first_vertex_step; }
+    );
+    const ObjectRange& object = *(after - 1);
+    const StepId offset = step - object.first_vertex_step;
+    const auto per_vertex = static_cast<StepId>(object.steps_per_vertex);
+    Step result;
+    result.id = step;
+    result.object = static_cast<std::uint32_t>(&object - recording.objects.data());
+    result.vertex = static_cast<std::uint32_t>(offset / per_vertex);
+    result.kind =
+        static_cast<StepKind>(static_cast<StepId>(StepKind::vertex_world) + offset % per_vertex);
+    return result;
+}
+
+} // namespace
+
+Step describe_step(const Recording& recording, StepId step) {
+    HS_CHECK(step <= recording.end_step, "a step of this recording");
+    Step result;
+    result.id = step;
+    if (step == recording.end_step) {
+        result.kind = StepKind::end;
+        return result;
+    }
+    if (step == 0) {
+        return result;
+    }
+    if (step < recording.first_triangle_step) {
+        return describe_vertex_step(recording, step);
+    }
+    const Outline window = outline(recording, index_entry_of_step(recording, step));
+    return window.steps[step - window.first_step];
+}
+
+StepId last_step_of_fragment(const Recording& recording, std::uint32_t fragment) {
+    HS_CHECK(fragment < recording.fragments.size(), "a fragment of this recording");
+    const auto after = std::upper_bound(
+        recording.index.begin(),
+        recording.index.end(),
+        fragment,
+        [](std::uint32_t f, const IndexEntry& entry) { return f < entry.fragment; }
+    );
+    const auto entry = static_cast<std::size_t>(after - recording.index.begin()) - 1;
+    const Outline window = outline(recording, entry);
+    const auto last =
+        std::find_if(window.steps.rbegin(), window.steps.rend(), [fragment](const Step& s) {
+            return s.in_fragment() && s.fragment == fragment;
+        });
+    HS_CHECK(last != window.steps.rend(), "a re-run draws the fragments it drew when recorded");
+    return last->id;
+}
+
+StepId last_step_of_triangle(const Recording& recording, std::uint32_t triangle) {
+    HS_CHECK(triangle < recording.triangles.size(), "a triangle of this recording");
+    const bool last = triangle + 1 == recording.triangles.size();
+    return (last ? recording.end_step : recording.triangles[triangle + 1].first_step) - 1;
+}
+
+} // namespace hs::trace

@@ -1,0 +1,201 @@
+#include "core/trace/detail.hpp"
+
+#include "core/base/check.hpp"
+#include "core/pipeline/draw.hpp"
+#include "core/trace/past_pixels.hpp"
+#include "core/trace/player.hpp"
+
+namespace hs::trace {
+namespace {
+
+/// Keeps the values of one triangle's geometry and of one of its fragments.
+class DetailTrace {
+public:
+    DetailTrace(TriangleDetail& triangle, FragmentDetail* fragment, PixelPos pixel)
+        : triangle_(triangle), fragment_(fragment), pixel_(pixel) {}
+
+    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int) {}
+    void triangle_begin(std::uint32_t, std::uint32_t) {}
+    void outcodes(const std::array<geometry::Outcode, 3>& codes) { triangle_.outcodes = codes; }
+    void clipped(
+        geometry::ClipPlane plane,
+        const geometry::ClipPolygon& before,
+        const geometry::ClipPolygon& after
+    ) {
+        triangle_.passes.push_back({plane, before, after});
+    }
+    void piece_begin(int) { triangle_.pieces.emplace_back(); }
+    void divided(const std::array<geometry::WindowVertex, 3>& window) {
+        triangle_.pieces.back().window = window;
+    }
+    void mapped(const std::array<geometry::WindowVertex, 3>&) {}
+    void faced(std::int64_t area, geometry::TriangleVerdict facing) {
+        triangle_.pieces.back().signed_doubled_area = area;
+        triangle_.pieces.back().facing = facing;
+    }
+    void set_up(const raster::TriangleSetup& setup) { triangle_.pieces.back().setup = setup; }
+    void unit(int) {}
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
+    void interpolated(const raster::Fragment& fragment) {
+        listening_ = fragment_ != nullptr && fragment.pixel == pixel_;
+        if (listening_) {
+            fragment_->fragment = fragment;
+        }
+    }
+    void shaded(const shading::ShadedFragment& shaded) {
+        if (listening_) {
+            fragment_->shaded = shaded;
+        }
+    }
+    void scissor_tested(bool inside) {
+        if (listening_) {
+            fragment_->scissor_inside = inside;
+        }
+    }
+    void depth_tested(const pipeline::DepthTest& test) {
+        if (listening_) {
+            fragment_->depth_test = test;
+        }
+    }
+    void merged(const pipeline::Merge& merge) {
+        if (listening_) {
+            fragment_->merge = merge;
+        }
+    }
+    void fragment_end(fragment::FragmentFate fate) {
+        if (listening_) {
+            fragment_->fate = fate;
+        }
+    }
+    void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+
+private:
+    TriangleDetail& triangle_;
+    FragmentDetail* fragment_;
+    PixelPos pixel_;
+    bool listening_ = false;
+};
+static_assert(pipeline::TraceSink<DetailTrace>);
+
+/// The part of a triangle's traversal that a step's pixel belongs to: one unit.
+pipeline::TriangleScope scope_of(const Step& step) {
+    return {step.piece, step.unit, step.piece, step.unit + 1};
+}
+
+constexpr pipeline::TriangleScope geometry_only{0, 0, 0, 0};
+
+TriangleDetail
+empty_triangle_detail(const Recording& recording, std::uint32_t object, std::uint32_t triangle) {
+    const pipeline::DrawCall& call = recording.frame->calls()[object];
+    TriangleDetail detail;
+    detail.object = object;
+    detail.triangle = triangle;
+    detail.vertices = call.triangles()[triangle];
+    for (int corner = 0; corner < 3; ++corner) {
+        detail.corners[static_cast<unsigned>(corner)] =
+            vertex_detail(recording, object, detail.vertices[corner]);
+    }
+    detail.verdict =
+        recording.triangles[recording.objects[object].first_triangle + triangle].verdict;
+    return detail;
+}
+
+} // namespace
+
+VertexDetail vertex_detail(const Recording& recording, std::uint32_t object, std::uint32_t vertex) {
+    const pipeline::DrawCall& call = recording.frame->calls()[object];
+    VertexDetail detail;
+    detail.object = object;
+    detail.vertex = vertex;
+    detail.transforms = call.vertex.transforms;
+    detail.work = pipeline::run_vertex(call.vertex, vertex);
+    detail.outcode = geometry::outcode(call.volume, detail.work.clip);
+    detail.window = geometry::to_window(detail.work.clip, call.viewport);
+    return detail;
+}
+
+TriangleDetail
+triangle_detail(const Recording& recording, std::uint32_t object, std::uint32_t triangle) {
+    TriangleDetail detail = empty_triangle_detail(recording, object, triangle);
+    const std::uint32_t no_one = no_fragment;
+    PastPixels pixels(recording, no_one);
+    DetailTrace trace(detail, nullptr, {});
+    pipeline::draw_triangle(
+        recording.frame->calls()[object], triangle, geometry_only, pixels, trace
+    );
+    return detail;
+}
+
+StepDetail step_detail(const Recording& recording, const Step& step) {
+    StepDetail detail;
+    if (step.in_vertex_stage()) {
+        detail.vertex = vertex_detail(recording, step.object, step.vertex);
+        return detail;
+    }
+    if (!step.in_triangle()) {
+        return detail;
+    }
+
+    // Run the triangle again: its geometry, and the one unit the step's pixel lies in
+    detail.triangle = empty_triangle_detail(recording, step.object, step.triangle);
+    if (step.in_fragment()) {
+        detail.fragment.emplace();
+        detail.fragment->index = step.fragment;
+        detail.fragment->triangle = recording.objects[step.object].first_triangle + step.triangle;
+    }
+    PastPixels pixels(recording, step.fragment);
+    DetailTrace trace(*detail.triangle, detail.fragment ? &*detail.fragment : nullptr, step.pixel);
+    pipeline::draw_triangle(
+        recording.frame->calls()[step.object],
+        step.triangle,
+        step.in_fragment() ? scope_of(step) : geometry_only,
+        pixels,
+        trace
+    );
+
+    // Ask the pixel's edge test again
+    if (step.has_pixel()) {
+        const auto& setup = detail.triangle->pieces[static_cast<std::size_t>(step.piece)].setup;
+        HS_CHECK(setup.has_value(), "a visited pixel belongs to a piece that was set up");
+        const raster::EdgeValues edges = setup->evaluate(step.pixel);
+        detail.visit = VisitDetail{step.pixel, edges, setup->covers(edges)};
+    }
+    return detail;
+}
+
+FragmentDetail fragment_detail(const Recording& recording, std::uint32_t fragment) {
+    const Step step = describe_step(recording, last_step_of_fragment(recording, fragment));
+    return *step_detail(recording, step).fragment;
+}
+
+PixelBefore pixel_before(const Recording& recording, std::uint32_t fragment) {
+    const scene::Settings& settings = recording.settings();
+    PixelBefore before;
+    bool color_found = false;
+    bool depth_found = false;
+    std::uint32_t i = recording.fragments[fragment].previous;
+    for (; i != no_fragment && !(color_found && depth_found); i = recording.fragments[i].previous) {
+        const FragmentRecord& earlier = recording.fragments[i];
+        if (!color_found && earlier.written()) {
+            before.color = recording.color32f.empty() ? framebuffer::unpack(earlier.color)
+                                                      : recording.color32f[i];
+            before.triangle = recording.run_of_fragment(i).triangle;
+            color_found = true;
+        }
+        if (!depth_found && earlier.depth_written) {
+            before.depth = earlier.depth;
+            depth_found = true;
+        }
+    }
+    if (!color_found) {
+        before.color = recording.color32f.empty()
+                           ? framebuffer::unpack(framebuffer::pack(settings.background))
+                           : settings.background;
+    }
+    if (!depth_found) {
+        before.depth = framebuffer::store_depth(settings.depth_clear(), settings.depth_format);
+    }
+    return before;
+}
+
+} // namespace hs::trace

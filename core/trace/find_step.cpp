@@ -1,0 +1,290 @@
+// Written step paths to flat numbers.
+//
+// A path is a list of parts; each is words and a number. Parts may come in any order; what is
+// missing on the fine side means "after the last child".
+#include "core/trace/outline.hpp"
+#include "core/trace/player.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace hs::trace {
+namespace {
+
+/// The parts of a path, as far as they were written.
+struct PathParts {
+    std::optional<std::uint32_t> object;
+    std::optional<std::uint32_t> vertex;
+    std::optional<std::uint32_t> triangle;
+    std::optional<std::uint32_t> piece;
+    std::optional<geometry::ClipPlane> plane;
+    std::optional<PixelPos> visit;
+    std::optional<PixelPos> fragment;
+    std::optional<StepKind> operation;
+    bool vertex_stage = false;
+};
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+        return std::nullopt;
+    }
+    return number;
+}
+
+std::optional<PixelPos> parse_pixel(std::string_view text) {
+    const auto comma = text.find(',');
+    if (comma == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const auto x = parse_number<int>(trimmed(text.substr(0, comma)));
+    const auto y = parse_number<int>(trimmed(text.substr(comma + 1)));
+    return x && y ? std::optional{PixelPos{*x, *y}} : std::nullopt;
+}
+
+std::optional<StepKind> parse_operation(std::string_view text) {
+    return parse_name<StepKind>(text);
+}
+
+/// "triangle 12 piece 1" to triangle and piece.
+bool parse_triangle(std::string_view rest, PathParts& parts) {
+    const auto piece = rest.find("piece");
+    parts.triangle = parse_number<std::uint32_t>(trimmed(rest.substr(0, piece)));
+    if (piece != std::string_view::npos) {
+        parts.piece = parse_number<std::uint32_t>(trimmed(rest.substr(piece + 5)));
+    }
+    return parts.triangle && (parts.piece || piece == std::string_view::npos);
+}
+
+/// Reads one part into `parts`; false when it is not understood.
+bool parse_part(std::string_view part, PathParts& parts) {
+    if (part == "vertex stage") {
+        parts.vertex_stage = true;
+        return true;
+    }
+    if (const auto operation = parse_operation(part)) {
+        parts.operation = operation;
+        return true;
+    }
+    const auto space = part.find(' ');
+    if (space == std::string_view::npos) {
+        return false;
+    }
+    const std::string_view word = part.substr(0, space);
+    const std::string_view rest = trimmed(part.substr(space));
+    if (word == "triangle") {
+        return parse_triangle(rest, parts);
+    }
+    if (word == "plane") {
+        return (parts.plane = parse_name<geometry::ClipPlane>(rest)).has_value();
+    }
+    if (word == "pixel") {
+        return (parts.visit = parse_pixel(rest)).has_value();
+    }
+    if (word == "fragment") {
+        return (parts.fragment = parse_pixel(rest)).has_value();
+    }
+    std::optional<std::uint32_t>* number = word == "object"   ? &parts.object
+                                           : word == "vertex" ? &parts.vertex
+                                           : word == "piece"  ? &parts.piece
+                                                              : nullptr;
+    return number != nullptr && (*number = parse_number<std::uint32_t>(rest)).has_value();
+}
+
+Diagnostic no_step(std::string message) {
+    return {.message = std::move(message)};
+}
+
+Result<StepId> find_vertex_step(const Recording& recording, const PathParts& parts) {
+    if (!parts.object) {
+        return recording.first_triangle_step - 1;
+    }
+    const ObjectRange& object = recording.objects[*parts.object];
+    const auto steps = static_cast<StepId>(object.steps_per_vertex);
+    if (object.vertex_count == 0) {
+        return no_step(fmt::format("object {} has no vertices", *parts.object));
+    }
+    if (parts.vertex && *parts.vertex >= object.vertex_count) {
+        return no_step(fmt::format(
+            "object {} has no vertex {}; its vertices are 0 to {}",
+            *parts.object,
+            *parts.vertex,
+            object.vertex_count - 1
+        ));
+    }
+    const std::uint32_t vertex = parts.vertex.value_or(object.vertex_count - 1);
+    StepId offset = steps - 1;
+    if (parts.operation) {
+        const auto kind = static_cast<StepId>(*parts.operation);
+        offset = kind - static_cast<StepId>(StepKind::vertex_world);
+        if (offset >= steps) {
+            return no_step(fmt::format(
+                "a vertex of object {} has no step '{}'", *parts.object, name_of(*parts.operation)
+            ));
+        }
+    }
+    return object.first_vertex_step + StepId{vertex} * steps + offset;
+}
+
+/// Whether a step of the wanted triangle is, or belongs to, what the path names.
+bool matches(const Step& step, const PathParts& parts) {
+    if (parts.piece && (!step.has_piece() || step.piece != static_cast<int>(*parts.piece))) {
+        return false;
+    }
+    if (parts.plane && (step.kind != StepKind::clip_plane || step.plane != *parts.plane)) {
+        return false;
+    }
+    if (parts.visit && (!step.has_pixel() || step.pixel != *parts.visit)) {
+        return false;
+    }
+    // A visit without operation is the edge test itself; a fragment is everything after it
+    if (parts.visit && !parts.operation && step.kind != StepKind::edge_test) {
+        return false;
+    }
+    if (parts.fragment && (!step.in_fragment() || step.pixel != *parts.fragment)) {
+        return false;
+    }
+    if (parts.operation == StepKind::clip_plane) {
+        return step.kind == StepKind::clip_plane || step.kind == StepKind::outcodes;
+    }
+    return !parts.operation || step.kind == *parts.operation;
+}
+
+std::string describe_missing(const PathParts& parts, std::uint32_t object, std::uint32_t triangle) {
+    if (parts.fragment || parts.visit) {
+        const PixelPos p = parts.fragment ? *parts.fragment : *parts.visit;
+        return fmt::format(
+            "object {} / triangle {} has no such step at pixel {},{}; ask 'pixel {},{}' for its "
+            "edge test",
+            object,
+            triangle,
+            p.x,
+            p.y,
+            p.x,
+            p.y
+        );
+    }
+    return fmt::format("object {} / triangle {} has no such step", object, triangle);
+}
+
+/// The last step of the triangle that matches, searched stretch by stretch from its end.
+Result<StepId> find_triangle_step(const Recording& recording, const PathParts& parts) {
+    const ObjectRange& object = recording.objects[*parts.object];
+    const std::uint32_t frame_triangle = object.first_triangle + *parts.triangle;
+    const StepId first = recording.triangles[frame_triangle].first_step;
+    const StepId last = last_step_of_triangle(recording, frame_triangle);
+    const bool whole =
+        !parts.piece && !parts.plane && !parts.visit && !parts.fragment && !parts.operation;
+    if (whole) {
+        return last;
+    }
+    for (std::size_t entry = index_entry_of_step(recording, last);; --entry) {
+        const Outline window = outline(recording, entry);
+        for (auto step = window.steps.rbegin(); step != window.steps.rend(); ++step) {
+            if (step->id >= first && step->id <= last && matches(*step, parts)) {
+                return step->id;
+            }
+        }
+        if (window.first_step <= first) {
+            return no_step(describe_missing(parts, *parts.object, *parts.triangle));
+        }
+    }
+}
+
+Result<StepId> find_parts(const Recording& recording, PathParts parts) {
+    const auto objects = static_cast<std::uint32_t>(recording.objects.size());
+    const bool names_inside = parts.vertex || parts.triangle || parts.visit || parts.fragment;
+    if (!parts.object && names_inside && objects == 1) {
+        parts.object = 0;
+    }
+    if (parts.object && *parts.object >= objects) {
+        return no_step(fmt::format(
+            "there is no object {}; the scene's objects are 0 to {}", *parts.object, objects - 1
+        ));
+    }
+    const bool vertex_operation = parts.operation && *parts.operation >= StepKind::vertex_world &&
+                                  *parts.operation <= StepKind::vertex_light;
+    if (parts.vertex_stage || parts.vertex || vertex_operation) {
+        if (parts.vertex && !parts.object) {
+            return no_step("say which object the vertex belongs to, as in 'object 0 / vertex 5'");
+        }
+        return find_vertex_step(recording, parts);
+    }
+    if (!parts.object) {
+        return no_step("say which object, as in 'object 0 / triangle 12'");
+    }
+    const ObjectRange& object = recording.objects[*parts.object];
+    if (object.triangle_count == 0) {
+        return no_step(fmt::format("object {} has no triangles", *parts.object));
+    }
+    if (!parts.triangle) {
+        if (parts.visit || parts.fragment || parts.operation || parts.plane) {
+            return no_step("say which triangle, as in 'object 0 / triangle 12 / setup'");
+        }
+        parts.triangle = object.triangle_count - 1;
+    }
+    if (*parts.triangle >= object.triangle_count) {
+        return no_step(fmt::format(
+            "object {} has no triangle {}; its triangles are 0 to {}",
+            *parts.object,
+            *parts.triangle,
+            object.triangle_count - 1
+        ));
+    }
+    return find_triangle_step(recording, parts);
+}
+
+} // namespace
+
+Result<StepId> find_step(const Recording& recording, std::string_view path) {
+    const std::string_view text = trimmed(path);
+    if (text == "start") {
+        return StepId{0};
+    }
+    if (text == "end") {
+        return recording.end_step;
+    }
+    if (text.starts_with('#')) {
+        const auto number = parse_number<StepId>(text.substr(1));
+        if (!number || *number > recording.end_step) {
+            return no_step(
+                fmt::format("there is no step '{}'; steps are #0 to #{}", text, recording.end_step)
+            );
+        }
+        return *number;
+    }
+
+    PathParts parts;
+    std::size_t from = 0;
+    while (from <= text.size()) {
+        const std::size_t slash = std::min(text.find('/', from), text.size());
+        const std::string_view part = trimmed(text.substr(from, slash - from));
+        if (!parse_part(part, parts)) {
+            return no_step(fmt::format(
+                "'{}' in the step path '{}' is not understood; write words and numbers as in "
+                "'object 0 / triangle 12 / fragment 31,17 / depth test'",
+                part,
+                text
+            ));
+        }
+        from = slash + 1;
+    }
+    return find_parts(recording, parts);
+}
+
+} // namespace hs::trace

@@ -1,0 +1,68 @@
+#include "core/trace/history.hpp"
+
+#include "core/framebuffer/depth.hpp"
+
+#include <algorithm>
+
+namespace hs::trace {
+namespace {
+
+HistoryRow row_of(const Recording& recording, std::uint32_t fragment) {
+    const FragmentRecord& record = recording.fragments[fragment];
+    HistoryRow row;
+    row.fragment = fragment;
+    row.frame_triangle = recording.run_of_fragment(fragment).triangle;
+    row.object = recording.object_of_triangle(row.frame_triangle);
+    row.triangle = row.frame_triangle - recording.objects[row.object].first_triangle;
+    row.triangle_step = recording.triangles[row.frame_triangle].first_step;
+    row.depth = record.depth;
+    row.fate = record.fate;
+    row.after = recording.color32f.empty() ? framebuffer::unpack(record.color)
+                                           : recording.color32f[fragment];
+    return row;
+}
+
+} // namespace
+
+PixelHistory pixel_history(const Recording& recording, PixelPos pixel, std::size_t limit) {
+    HS_CHECK(recording.settings().image().contains(pixel), "a pixel of the image");
+    PixelHistory history;
+    history.pixel = pixel;
+
+    // Follow the links from the last fragment to the first
+    std::uint32_t earliest = no_fragment;
+    for (std::uint32_t i = recording.last_fragment[recording.pixel_index(pixel)]; i != no_fragment;
+         i = recording.fragments[i].previous) {
+        if (history.rows.size() == limit) {
+            ++history.left_out;
+            continue;
+        }
+        history.rows.push_back(row_of(recording, i));
+        earliest = i;
+    }
+    std::reverse(history.rows.begin(), history.rows.end());
+
+    // Carry what the pixel holds from row to row
+    const scene::Settings& settings = recording.settings();
+    PixelBefore held;
+    held.color = recording.color32f.empty()
+                     ? framebuffer::unpack(framebuffer::pack(settings.background))
+                     : settings.background;
+    held.depth = framebuffer::store_depth(settings.depth_clear(), settings.depth_format);
+    if (history.left_out > 0) {
+        held = pixel_before(recording, earliest);
+    }
+    history.initial_color = held.color;
+    history.initial_depth = held.depth;
+    for (HistoryRow& row : history.rows) {
+        row.before = held.color;
+        row.stored_depth = held.depth;
+        held.color = row.after;
+        held.depth = recording.fragments[row.fragment].depth_written ? row.depth : held.depth;
+    }
+    history.final_color = held.color;
+    history.final_depth = held.depth;
+    return history;
+}
+
+} // namespace hs::trace

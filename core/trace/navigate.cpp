@@ -1,0 +1,287 @@
+// Where a press of a key goes: the next and previous unit end of every granularity.
+//
+// Each granularity has a sequence of unit ends; forward is the first one after the playhead,
+// backward the last one before it, so forward and back reverse each other. `start` and `end` belong
+// to every sequence.
+#include "core/trace/outline.hpp"
+#include "core/trace/player.hpp"
+
+#include <algorithm>
+
+namespace hs::trace {
+namespace {
+
+/// The nearest of a few steps in a direction; `fallback` when none lies there.
+class Nearest {
+public:
+    Nearest(StepId from, Direction direction, StepId fallback)
+        : from_(from), forward_(direction == Direction::forward), best_(fallback) {}
+
+    void offer(StepId step) {
+        const bool ahead = forward_ ? step > from_ : step < from_;
+        if (ahead && (forward_ ? step < best_ : step > best_)) {
+            best_ = step;
+        }
+    }
+    [[nodiscard]] StepId best() const { return best_; }
+
+private:
+    StepId from_;
+    bool forward_;
+    StepId best_;
+};
+
+StepId fallback(const Recording& recording, Direction direction) {
+    return direction == Direction::forward ? recording.end_step : 0;
+}
+
+StepId stage_target(const Recording& recording, StepId from, Direction direction) {
+    Nearest nearest(from, direction, fallback(recording, direction));
+    nearest.offer(recording.first_triangle_step - 1);
+    nearest.offer(recording.end_step - 1);
+    return nearest.best();
+}
+
+StepId object_target(const Recording& recording, StepId from, Direction direction) {
+    Nearest nearest(from, direction, fallback(recording, direction));
+    for (const ObjectRange& object : recording.objects) {
+        if (object.vertex_count > 0) {
+            nearest.offer(
+                object.first_vertex_step +
+                StepId{object.vertex_count} * static_cast<StepId>(object.steps_per_vertex) - 1
+            );
+        }
+        if (object.triangle_count > 0) {
+            nearest.offer(
+                last_step_of_triangle(recording, object.first_triangle + object.triangle_count - 1)
+            );
+        }
+    }
+    return nearest.best();
+}
+
+/// The last step of the vertex before, at and after a step of the vertex stage.
+void offer_vertices(const Recording& recording, StepId from, Nearest& nearest) {
+    for (const ObjectRange& object : recording.objects) {
+        if (object.vertex_count == 0) {
+            continue;
+        }
+        const auto steps = static_cast<StepId>(object.steps_per_vertex);
+        const StepId first_end = object.first_vertex_step + steps - 1;
+        const StepId last_end = first_end + (StepId{object.vertex_count} - 1) * steps;
+        const StepId inside = std::clamp(from, first_end, last_end);
+        const StepId end = first_end + (inside - first_end) / steps * steps;
+        nearest.offer(std::max(first_end, end - std::min(end - first_end, steps)));
+        nearest.offer(end);
+        nearest.offer(std::min(last_end, end + steps));
+    }
+}
+
+StepId triangle_target(const Recording& recording, StepId from, Direction direction) {
+    Nearest nearest(from, direction, fallback(recording, direction));
+    offer_vertices(recording, from, nearest);
+    if (recording.triangles.empty()) {
+        return nearest.best();
+    }
+    const auto after = std::upper_bound(
+        recording.triangles.begin(),
+        recording.triangles.end(),
+        from,
+        [](StepId s, const TriangleRecord& triangle) { return s < triangle.first_step; }
+    );
+    const std::int64_t index = after - recording.triangles.begin();
+    for (std::int64_t t = index - 2; t <= index; ++t) {
+        if (t >= 0 && t < static_cast<std::int64_t>(recording.triangles.size())) {
+            nearest.offer(last_step_of_triangle(recording, static_cast<std::uint32_t>(t)));
+        }
+    }
+    return nearest.best();
+}
+
+StepId fragment_target(const Player& player, Direction direction) {
+    const Recording& recording = player.recording();
+    const std::uint32_t done = player.fragments_done();
+    if (direction == Direction::forward) {
+        return done < recording.fragments.size() ? last_step_of_fragment(recording, done)
+                                                 : recording.end_step;
+    }
+    if (done == 0) {
+        return 0;
+    }
+    const StepId last = last_step_of_fragment(recording, done - 1);
+    if (last < player.step()) {
+        return last;
+    }
+    return done == 1 ? 0 : last_step_of_fragment(recording, done - 2);
+}
+
+bool same_unit(const Step& a, const Step& b) {
+    return a.has_pixel() && b.has_pixel() && a.object == b.object && a.triangle == b.triangle &&
+           a.piece == b.piece && a.unit == b.unit;
+}
+
+/// Offers the last step of every unit in one stretch. Stretches never end inside a unit.
+void offer_units(const Outline& window, Nearest& nearest) {
+    for (std::size_t i = 0; i < window.steps.size(); ++i) {
+        const bool ends =
+            i + 1 == window.steps.size() || !same_unit(window.steps[i], window.steps[i + 1]);
+        if (window.steps[i].has_pixel() && ends) {
+            nearest.offer(window.steps[i].id);
+        }
+    }
+}
+
+/// The count of something at the beginning of each index entry; the frame's total beyond the last.
+template <typename Count>
+std::uint64_t count_at(const Recording& recording, std::size_t entry, Count count) {
+    return count(
+        entry < recording.index.size() ? recording.index[entry].before : recording.counters
+    );
+}
+
+/// The nearest index entry, from `entry` on in a direction, whose stretch counts something. Binary
+/// search: counts only grow. Returns index.size() when there is none.
+template <typename Count>
+std::size_t
+entry_with(const Recording& recording, std::size_t entry, Direction direction, Count count) {
+    const std::size_t entries = recording.index.size();
+    std::size_t low = direction == Direction::forward ? entry : 0;
+    std::size_t high = direction == Direction::forward ? entries : entry + 1;
+    if (direction == Direction::forward) {
+        // The first stretch after which the count has grown beyond its value at `entry`
+        const std::uint64_t base = count_at(recording, entry, count);
+        while (low < high) {
+            const std::size_t middle = low + (high - low) / 2;
+            (count_at(recording, middle + 1, count) > base ? high : low) =
+                count_at(recording, middle + 1, count) > base ? middle : middle + 1;
+        }
+        return low;
+    }
+    // The last stretch before which the count was still below its value after `entry`
+    const std::uint64_t top = count_at(recording, entry + 1, count);
+    while (low < high) {
+        const std::size_t middle = low + (high - low) / 2;
+        if (count_at(recording, middle, count) < top) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low == 0 ? entries : low - 1;
+}
+
+/// Searches stretch by stretch, skipping those that count nothing, until one offers a step. At most
+/// three are re-run: the one the playhead is in, and up to two that have something.
+template <typename Count, typename Offer>
+StepId search_stretches(
+    const Recording& recording,
+    StepId from,
+    Direction direction,
+    StepId none,
+    Count count,
+    Offer offer
+) {
+    const std::size_t entries = recording.index.size();
+    if (entries == 0 || recording.first_triangle_step == recording.end_step) {
+        return none;
+    }
+    const bool forward = direction == Direction::forward;
+    if (!forward && from <= recording.first_triangle_step) {
+        return none;
+    }
+    const StepId inside = std::clamp(from, recording.first_triangle_step, recording.end_step - 1);
+    std::size_t entry = index_entry_of_step(recording, inside);
+    while (true) {
+        entry = entry_with(recording, entry, direction, count);
+        if (entry >= entries) {
+            return none;
+        }
+        Nearest nearest(from, direction, none);
+        offer(outline(recording, entry), nearest);
+        if (nearest.best() != none) {
+            return nearest.best();
+        }
+        if (forward ? entry + 1 >= entries : entry == 0) {
+            return none;
+        }
+        entry = forward ? entry + 1 : entry - 1;
+    }
+}
+
+std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
+    switch (stage) {
+    case Stage::application:
+    case Stage::vertex: return counters.vertices;
+    case Stage::clip: return counters.triangles;
+    case Stage::divide: return counters.pieces;
+    case Stage::viewport: return counters.pieces_mapped;
+    case Stage::cull: return counters.pieces_faced;
+    case Stage::setup: return counters.pieces_set_up;
+    case Stage::traverse: return counters.pixels_visited;
+    case Stage::shade: return counters.fragments_shaded;
+    case Stage::test: return counters.fragments_tested;
+    case Stage::merge:
+        return counters.fates[static_cast<std::size_t>(fragment::FragmentFate::written)];
+    }
+    HS_CHECK(false, "every stage counts something");
+    return 0;
+}
+
+} // namespace
+
+StepId Player::target(Granularity granularity, Direction direction) const {
+    const Recording& recording = *recording_;
+    switch (granularity) {
+    case Granularity::stage: return stage_target(recording, step(), direction);
+    case Granularity::object: return object_target(recording, step(), direction);
+    case Granularity::triangle: return triangle_target(recording, step(), direction);
+    case Granularity::scanline:
+        return search_stretches(
+            recording,
+            step(),
+            direction,
+            fallback(recording, direction),
+            [](const Counters& c) { return c.pixels_visited; },
+            offer_units
+        );
+    case Granularity::fragment: return fragment_target(*this, direction);
+    case Granularity::operation:
+        if (direction == Direction::forward) {
+            return std::min(step() + 1, end());
+        }
+        return step() == 0 ? 0 : step() - 1;
+    }
+    HS_CHECK(false, "every granularity has targets");
+    return step();
+}
+
+std::optional<StepId> Player::find_stage(Stage stage, Direction direction) const {
+    const bool forward = direction == Direction::forward;
+    if (stage == Stage::application) {
+        return forward || step() == 0 ? std::nullopt : std::optional<StepId>{0};
+    }
+    if (stage == Stage::vertex) {
+        const StepId last = recording_->first_triangle_step - 1;
+        const StepId goal = forward ? step() + 1 : std::min(step(), last + 1) - 1;
+        const bool exists = goal >= 1 && goal <= last && (forward || step() > 0);
+        return exists ? std::optional<StepId>{goal} : std::nullopt;
+    }
+    const StepId none = fallback(*recording_, direction);
+    const StepId found = search_stretches(
+        *recording_,
+        step(),
+        direction,
+        none,
+        [stage](const Counters& counters) { return stage_count_of(counters, stage); },
+        [stage](const Outline& window, Nearest& nearest) {
+            for (const Step& s : window.steps) {
+                if (stage_of(s.kind) == stage) {
+                    nearest.offer(s.id);
+                }
+            }
+        }
+    );
+    return found == none ? std::nullopt : std::optional<StepId>{found};
+}
+
+} // namespace hs::trace

@@ -1,0 +1,173 @@
+#include "core/trace/outline.hpp"
+
+#include "core/base/check.hpp"
+#include "core/pipeline/draw.hpp"
+#include "core/trace/past_pixels.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace hs::trace {
+namespace {
+
+/// The sink of a re-run: writes down every step it hears of, from the resume point on.
+class OutlineTrace {
+public:
+    OutlineTrace(const Recording& recording, Outline& outline, const IndexEntry& from, StepId end)
+        : recording_(recording),
+          outline_(outline),
+          end_(end),
+          fragment_(from.fragment),
+          listening_(from.unit < 0) {
+        outline_.first_step = from.step;
+        at_.id = from.step;
+    }
+
+    [[nodiscard]] const std::uint32_t& fragment() const { return fragment_; }
+
+    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int) {}
+    void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
+        at_ = {.id = at_.id, .object = object, .triangle = triangle};
+    }
+    void outcodes(const std::array<geometry::Outcode, 3>&) { add(StepKind::outcodes); }
+    void
+    clipped(geometry::ClipPlane plane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {
+        at_.clipped = true;
+        at_.plane = plane;
+        add(StepKind::clip_plane);
+        at_.plane = geometry::ClipPlane::near;
+    }
+    void piece_begin(int piece) {
+        at_ = {
+            .id = at_.id,
+            .object = at_.object,
+            .triangle = at_.triangle,
+            .clipped = at_.clipped,
+            .piece = piece};
+    }
+    void divided(const std::array<geometry::WindowVertex, 3>&) { add(StepKind::divide); }
+    void mapped(const std::array<geometry::WindowVertex, 3>&) { add(StepKind::viewport); }
+    void faced(std::int64_t, geometry::TriangleVerdict) { add(StepKind::facing); }
+    void set_up(const raster::TriangleSetup&) { add(StepKind::setup); }
+    void unit(int unit) {
+        listening_ = true; // a re-run that resumes inside a triangle begins with a unit
+        at_.unit = unit;
+    }
+    void edge_test(PixelPos pixel, const raster::EdgeValues&, bool inside) {
+        at_.pixel = pixel;
+        at_.covered = inside;
+        add(StepKind::edge_test);
+    }
+    void interpolated(const raster::Fragment&) {
+        at_.fragment = fragment_;
+        add(StepKind::interpolate);
+    }
+    void shaded(const shading::ShadedFragment&) { add(StepKind::shade); }
+    void scissor_tested(bool inside) { add_test(StepKind::scissor_test, inside); }
+    void depth_tested(const pipeline::DepthTest& test) {
+        add_test(StepKind::depth_test, test.passed);
+    }
+    void merged(const pipeline::Merge&) { add(StepKind::merge); }
+    void fragment_end(fragment::FragmentFate fate) {
+        const bool logged = fragment_ < recording_.fragments.size() &&
+                            recording_.fragments[fragment_].pixel() == at_.pixel &&
+                            recording_.fragments[fragment_].fate == fate;
+        outline_.divergences += logged ? 0U : 1U;
+        ++fragment_;
+        at_.fragment = 0;
+    }
+    void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+
+private:
+    void add(StepKind kind) {
+        if (!listening_ || at_.id >= end_) {
+            return; // geometry repeated on the way to the resume point, or beyond the stretch
+        }
+        at_.kind = kind;
+        outline_.steps.push_back(at_);
+        ++at_.id;
+    }
+    void add_test(StepKind kind, bool passed) {
+        at_.passed = passed;
+        add(kind);
+        at_.passed = true;
+    }
+
+    const Recording& recording_;
+    Outline& outline_;
+    StepId end_;
+    std::uint32_t fragment_;
+    bool listening_;
+    Step at_;
+};
+static_assert(pipeline::TraceSink<OutlineTrace>);
+static_assert(framebuffer::PixelTarget<PastPixels>);
+
+/// Where a stretch stops: at the next index entry, or after the last triangle.
+struct Stop {
+    StepId step;
+    std::uint32_t object;
+    std::uint32_t triangle; ///< the first not fully run
+    std::int32_t piece;
+    std::int32_t unit;
+};
+
+Stop stop_after(const Recording& recording, std::size_t entry) {
+    if (entry + 1 < recording.index.size()) {
+        const IndexEntry& next = recording.index[entry + 1];
+        return {next.step, next.object, next.triangle, next.piece, next.unit};
+    }
+    return {recording.end_step, static_cast<std::uint32_t>(recording.objects.size()), 0, 0, -1};
+}
+
+} // namespace
+
+std::size_t index_entry_of_step(const Recording& recording, StepId step) {
+    HS_DCHECK(
+        step >= recording.first_triangle_step && step < recording.end_step,
+        "a step of the triangle stages"
+    );
+    const auto after = std::upper_bound(
+        recording.index.begin(),
+        recording.index.end(),
+        step,
+        [](StepId s, const IndexEntry& entry) { return s < entry.step; }
+    );
+    return static_cast<std::size_t>(after - recording.index.begin()) - 1;
+}
+
+Outline outline(const Recording& recording, std::size_t entry) {
+    const IndexEntry& from = recording.index[entry];
+    const Stop stop = stop_after(recording, entry);
+    Outline result;
+    result.steps.reserve(stop.step - from.step);
+    OutlineTrace trace(recording, result, from, stop.step);
+    PastPixels pixels(recording, trace.fragment());
+
+    for (std::uint32_t object = from.object; object < recording.objects.size(); ++object) {
+        const pipeline::DrawCall& call = recording.frame->calls()[object];
+        const std::uint32_t first = object == from.object ? from.triangle : 0;
+        for (std::uint32_t i = first; i < recording.objects[object].triangle_count; ++i) {
+            const bool last = object == stop.object && i == stop.triangle;
+            if (last && stop.unit < 0) {
+                return result;
+            }
+            pipeline::TriangleScope scope;
+            if (object == from.object && i == from.triangle && from.unit >= 0) {
+                scope.first_piece = from.piece;
+                scope.first_unit = from.unit;
+            }
+            if (last) {
+                scope.last_piece = stop.piece;
+                scope.last_unit = stop.unit;
+            }
+            pipeline::draw_triangle(call, i, scope, pixels, trace);
+            if (last) {
+                return result;
+            }
+        }
+    }
+    return result;
+}
+
+} // namespace hs::trace

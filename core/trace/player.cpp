@@ -1,0 +1,268 @@
+#include "core/trace/player.hpp"
+
+#include "core/trace/outline.hpp"
+#include "core/trace/tally.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace hs::trace {
+namespace {
+
+/// Costs of moving the framebuffer, in units of applying one logged fragment (measured: about 8
+/// ns).
+constexpr std::uint64_t undo_cost = 6;              // two dependent look-ups in the log
+constexpr std::uint64_t pixels_copied_per_unit = 4; // restoring a checkpoint is a plain copy
+
+void count_saturating(std::uint16_t& counter) {
+    counter = static_cast<std::uint16_t>(counter + (counter < 0xFFFFU ? 1 : 0));
+}
+
+/// Exact counts for one pixel among fragments before `done`.
+struct PixelCounts {
+    std::uint32_t complexity = 0;
+    std::uint32_t overdraw = 0;
+};
+
+PixelCounts count_pixel(const Recording& recording, std::size_t pixel, std::uint32_t done) {
+    PixelCounts counts;
+    for (std::uint32_t i = recording.last_fragment[pixel]; i != no_fragment;
+         i = recording.fragments[i].previous) {
+        if (i < done) {
+            ++counts.complexity;
+            counts.overdraw += recording.fragments[i].written() ? 1U : 0U;
+        }
+    }
+    return counts;
+}
+
+std::uint16_t saturated(std::uint32_t count) {
+    return static_cast<std::uint16_t>(std::min<std::uint32_t>(count, 0xFFFFU));
+}
+
+} // namespace
+
+Player::Player(std::shared_ptr<const Recording> recording)
+    : recording_(std::move(recording)),
+      buffer_(recording_->final_pixels),
+      fragments_done_(static_cast<std::uint32_t>(recording_->fragments.size())),
+      changed_(recording_->settings().image()) {
+    current_ = describe_step(*recording_, recording_->end_step);
+}
+
+void Player::seek(StepId step) {
+    const StepId goal = std::min(step, end());
+    detail_.reset();
+    if (goal == 0 || goal < recording_->first_triangle_step) {
+        current_ = describe_step(*recording_, goal);
+        show_fragments(0);
+        return;
+    }
+    if (goal == end()) {
+        current_ = describe_step(*recording_, goal);
+        show_fragments(static_cast<std::uint32_t>(recording_->fragments.size()));
+        return;
+    }
+    const std::size_t entry = index_entry_of_step(*recording_, goal);
+    const Outline window = outline(*recording_, entry);
+    const std::size_t at = goal - window.first_step;
+    current_ = window.steps[at];
+
+    // Fragments done: those that began up to here, less the current one while steps of it are still
+    // to come
+    std::uint32_t done = recording_->index[entry].fragment;
+    for (std::size_t i = 0; i <= at; ++i) {
+        done += window.steps[i].kind == StepKind::interpolate ? 1U : 0U;
+    }
+    const bool more_to_come = current_.in_fragment() && at + 1 < window.steps.size() &&
+                              window.steps[at + 1].in_fragment() &&
+                              window.steps[at + 1].fragment == current_.fragment;
+    show_fragments(more_to_come ? done - 1 : done);
+}
+
+bool Player::advance(Granularity granularity, Direction direction) {
+    const StepId goal = target(granularity, direction);
+    const bool moved = goal != step();
+    seek(goal);
+    return moved;
+}
+
+glm::vec4 Player::color(PixelPos p) const {
+    const std::size_t at = recording_->pixel_index(p);
+    return buffer_.color32f.empty() ? framebuffer::unpack(buffer_.pixels[at].color)
+                                    : buffer_.color32f[at];
+}
+
+std::uint32_t Player::complexity(PixelPos p) const {
+    const std::uint16_t kept = pixel(p).complexity;
+    return kept < 0xFFFFU
+               ? kept
+               : count_pixel(*recording_, recording_->pixel_index(p), fragments_done_).complexity;
+}
+
+std::uint32_t Player::overdraw(PixelPos p) const {
+    const std::uint16_t kept = pixel(p).overdraw;
+    return kept < 0xFFFFU
+               ? kept
+               : count_pixel(*recording_, recording_->pixel_index(p), fragments_done_).overdraw;
+}
+
+PixelRect Player::take_changed() {
+    return std::exchange(changed_, PixelRect{});
+}
+
+Counters Player::counters() const {
+    if (step() >= end()) {
+        return recording_->counters;
+    }
+    Counters counters;
+    if (step() < recording_->first_triangle_step) {
+        for (const ObjectRange& object : recording_->objects) {
+            if (step() < object.first_vertex_step) {
+                break;
+            }
+            const auto per_vertex = static_cast<StepId>(object.steps_per_vertex);
+            const StepId begun = (step() - object.first_vertex_step) / per_vertex + 1;
+            counters.vertices += std::min<StepId>(begun, object.vertex_count);
+        }
+        return counters;
+    }
+    const std::size_t entry = index_entry_of_step(*recording_, step());
+    counters = recording_->index[entry].before;
+    const Outline window = outline(*recording_, entry);
+    StepKind previous = StepKind::start;
+    for (const Step& s : window.steps) {
+        if (s.id > step()) {
+            break;
+        }
+        const bool first = s.kind == StepKind::clip_plane ? previous == StepKind::outcodes
+                                                          : previous != StepKind::scissor_test;
+        count_step(counters, s.kind, s.passed, first);
+        previous = s.kind;
+    }
+    return counters;
+}
+
+const StepDetail& Player::detail() const {
+    if (!detail_) {
+        detail_ = step_detail(*recording_, current_);
+    }
+    return *detail_;
+}
+
+void Player::mark_changed(PixelPos p) {
+    if (changed_.empty()) {
+        changed_ = {p.x, p.y, p.x + 1, p.y + 1};
+        return;
+    }
+    changed_ = {
+        std::min(changed_.x0, p.x),
+        std::min(changed_.y0, p.y),
+        std::max(changed_.x1, p.x + 1),
+        std::max(changed_.y1, p.y + 1)};
+}
+
+/// Redoes logged fragments in order.
+void Player::apply_until(std::uint32_t fragments) {
+    if (fragments_done_ >= fragments) {
+        return;
+    }
+    const std::vector<Run>& runs = recording_->runs;
+    auto run =
+        static_cast<std::size_t>(&recording_->run_of_fragment(fragments_done_) - runs.data());
+    for (; fragments_done_ < fragments; ++fragments_done_) {
+        while (run + 1 < runs.size() && runs[run + 1].first_fragment <= fragments_done_) {
+            ++run;
+        }
+        const FragmentRecord& f = recording_->fragments[fragments_done_];
+        const std::size_t at = recording_->pixel_index(f.pixel());
+        PixelRecord& pixel = buffer_.pixels[at];
+        count_saturating(pixel.complexity);
+        if (f.written()) {
+            count_saturating(pixel.overdraw);
+            pixel.color = f.color;
+            pixel.triangle = runs[run].triangle;
+            if (!buffer_.color32f.empty()) {
+                buffer_.color32f[at] = recording_->color32f[fragments_done_];
+            }
+        }
+        if (f.depth_written) {
+            pixel.depth = f.depth;
+        }
+        mark_changed(f.pixel());
+    }
+}
+
+/// Takes logged fragments back, last first: a pixel returns to what its earlier fragments made it.
+void Player::undo_until(std::uint32_t fragments) {
+    while (fragments_done_ > fragments) {
+        --fragments_done_;
+        const FragmentRecord& f = recording_->fragments[fragments_done_];
+        const std::size_t at = recording_->pixel_index(f.pixel());
+        PixelRecord& pixel = buffer_.pixels[at];
+        if (pixel.complexity == 0xFFFFU || pixel.overdraw == 0xFFFFU) {
+            const PixelCounts counts = count_pixel(*recording_, at, fragments_done_);
+            pixel.complexity = saturated(counts.complexity);
+            pixel.overdraw = saturated(counts.overdraw);
+        } else {
+            --pixel.complexity;
+            pixel.overdraw = static_cast<std::uint16_t>(pixel.overdraw - (f.written() ? 1 : 0));
+        }
+        if (f.written() || f.depth_written) {
+            const PixelBefore before = pixel_before(*recording_, fragments_done_);
+            pixel.color = framebuffer::pack(before.color);
+            pixel.depth = before.depth;
+            pixel.triangle = before.triangle;
+            if (!buffer_.color32f.empty()) {
+                buffer_.color32f[at] = before.color;
+            }
+        }
+        mark_changed(f.pixel());
+    }
+}
+
+void Player::restore(const Checkpoint& checkpoint) {
+    buffer_ = checkpoint.buffer;
+    fragments_done_ = checkpoint.fragments;
+    changed_ = recording_->settings().image();
+}
+
+/// Moves the framebuffer to the state after `fragments` fragments by the cheapest way: on from
+/// here, back from here, or from the nearest checkpoint below.
+void Player::show_fragments(std::uint32_t fragments) {
+    const std::uint64_t copy = buffer_.pixels.size() / pixels_copied_per_unit;
+    const auto all = static_cast<std::uint32_t>(recording_->fragments.size());
+    if (fragments == all && all - fragments_done_ > copy) {
+        buffer_ = recording_->final_pixels;
+        fragments_done_ = all;
+        changed_ = recording_->settings().image();
+        return;
+    }
+
+    const std::vector<Checkpoint>& checkpoints = recording_->checkpoints;
+    const auto above = std::upper_bound(
+        checkpoints.begin(),
+        checkpoints.end(),
+        fragments,
+        [](std::uint32_t f, const Checkpoint& c) { return f < c.fragments; }
+    );
+    const std::uint32_t base = above == checkpoints.begin() ? 0 : (above - 1)->fragments;
+    const std::uint64_t from_checkpoint = copy + (fragments - base);
+    const std::uint64_t from_here = fragments >= fragments_done_
+                                        ? fragments - fragments_done_
+                                        : undo_cost * (fragments_done_ - fragments);
+    if (from_checkpoint < from_here) {
+        if (above == checkpoints.begin()) {
+            restore({0, cleared_pixels(recording_->settings())});
+        } else {
+            restore(*(above - 1));
+        }
+    }
+    if (fragments >= fragments_done_) {
+        apply_until(fragments);
+    } else {
+        undo_until(fragments);
+    }
+}
+
+} // namespace hs::trace

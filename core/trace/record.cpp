@@ -1,0 +1,316 @@
+// Recording a frame: the pipeline draws into pixels that know their owner, and a sink keeps the
+// facts.
+#include "core/pipeline/draw.hpp"
+#include "core/trace/recording.hpp"
+#include "core/trace/tally.hpp"
+
+#include <chrono>
+#include <new>
+#include <utility>
+
+namespace hs::trace {
+namespace {
+
+constexpr StepId index_spacing =
+    2048; // steps; a re-run of that many takes well under a millisecond
+
+/// Where a recorded frame's fragments read and write.
+class RecordedPixels {
+public:
+    explicit RecordedPixels(const scene::Settings& settings)
+        : buffer_(cleared_pixels(settings)),
+          width_(static_cast<std::size_t>(settings.width)),
+          float_color_(settings.color_format == scene::ColorFormat::rgba32f) {}
+
+    [[nodiscard]] float depth(PixelPos p) const { return buffer_.pixels[index(p)].depth; }
+    [[nodiscard]] glm::vec4 color(PixelPos p) const {
+        return float_color_ ? buffer_.color32f[index(p)]
+                            : framebuffer::unpack(buffer_.pixels[index(p)].color);
+    }
+    void set_depth(PixelPos p, float depth) { buffer_.pixels[index(p)].depth = depth; }
+    void set_color(PixelPos p, const glm::vec4& color) {
+        buffer_.pixels[index(p)].color = framebuffer::pack(color);
+        if (float_color_) {
+            buffer_.color32f[index(p)] = color;
+        }
+    }
+
+    [[nodiscard]] std::size_t index(PixelPos p) const {
+        return static_cast<std::size_t>(p.y) * width_ + static_cast<std::size_t>(p.x);
+    }
+    [[nodiscard]] bool float_color() const { return float_color_; }
+    [[nodiscard]] PixelBuffer& buffer() { return buffer_; }
+
+private:
+    PixelBuffer buffer_;
+    std::size_t width_;
+    bool float_color_;
+};
+
+/// Counts up but stays at the largest value.
+void count_saturating(std::uint16_t& counter) {
+    counter = static_cast<std::uint16_t>(counter + (counter < 0xFFFFU ? 1 : 0));
+}
+
+/// The recording sink.
+class FactsTrace {
+public:
+    FactsTrace(Recording& recording, RecordedPixels& pixels, const RecordOptions& options)
+        : recording_(recording),
+          pixels_(pixels),
+          options_(options),
+          spacing_(options.checkpoint_spacing) {}
+
+    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int steps) {
+        step_ += static_cast<StepId>(steps);
+        ++counters_.vertices;
+    }
+
+    void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
+        object_ = object;
+        triangle_ = triangle;
+        frame_triangle_ = recording_.objects[object].first_triangle + triangle;
+        piece_ = 0;
+        clipped_ = false;
+        depth_format_ = recording_.frame->calls()[object].settings.depth_format;
+        recording_.triangles[frame_triangle_].first_step = step_;
+        if (recording_.index.empty() || step_ - recording_.index.back().step >= index_spacing) {
+            add_index_entry(-1);
+        }
+    }
+    void outcodes(const std::array<geometry::Outcode, 3>&) { step(StepKind::outcodes); }
+    void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {
+        step(StepKind::clip_plane, true, !std::exchange(clipped_, true));
+    }
+    void piece_begin(int piece) { piece_ = piece; }
+    void divided(const std::array<geometry::WindowVertex, 3>&) { step(StepKind::divide); }
+    void mapped(const std::array<geometry::WindowVertex, 3>&) { step(StepKind::viewport); }
+    void faced(std::int64_t, geometry::TriangleVerdict) { step(StepKind::facing); }
+    void set_up(const raster::TriangleSetup&) {
+        step(StepKind::setup);
+        run_open_ = false;
+    }
+    void unit(int unit) {
+        if (step_ - recording_.index.back().step >= index_spacing) {
+            add_index_entry(unit);
+        }
+    }
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) { step(StepKind::edge_test); }
+
+    void interpolated(const raster::Fragment& fragment) {
+        step(StepKind::interpolate);
+        tested_ = false;
+        depth_written_ = false;
+        pixel_ = fragment.pixel;
+        depth_ = framebuffer::store_depth(fragment.depth, depth_format_);
+    }
+    void shaded(const shading::ShadedFragment&) { step(StepKind::shade); }
+    void scissor_tested(bool inside) {
+        step(StepKind::scissor_test, inside, !std::exchange(tested_, true));
+    }
+    void depth_tested(const pipeline::DepthTest& test) {
+        step(StepKind::depth_test, test.passed, !std::exchange(tested_, true));
+    }
+    void merged(const pipeline::Merge& merge) {
+        step(StepKind::merge);
+        depth_written_ = merge.depth_written;
+    }
+    void fragment_end(fragment::FragmentFate fate) {
+        const std::size_t at = pixels_.index(pixel_);
+        const auto number = static_cast<std::uint32_t>(recording_.fragments.size());
+        if (!run_open_) {
+            recording_.runs.push_back({number, frame_triangle_, static_cast<std::uint16_t>(piece_)}
+            );
+            run_open_ = true;
+        }
+        PixelRecord& pixel = pixels_.buffer().pixels[at];
+        count_saturating(pixel.complexity);
+        if (fate == fragment::FragmentFate::written) {
+            count_saturating(pixel.overdraw);
+            pixel.triangle = frame_triangle_;
+        }
+        recording_.fragments.push_back(
+            {.x = static_cast<std::uint16_t>(pixel_.x),
+             .y = static_cast<std::uint16_t>(pixel_.y),
+             .depth = depth_,
+             .color = pixel.color,
+             .previous = std::exchange(recording_.last_fragment[at], number),
+             .fate = fate,
+             .depth_written = depth_written_}
+        );
+        if (pixels_.float_color()) {
+            recording_.color32f.push_back(pixels_.buffer().color32f[at]);
+        }
+    }
+    void triangle_end(geometry::TriangleVerdict verdict, geometry::Outcode crossed) {
+        TriangleRecord& record = recording_.triangles[frame_triangle_];
+        record.verdict = verdict;
+        record.crossed = crossed;
+    }
+
+    /// After the vertex stage.
+    void vertex_stage_end() { recording_.first_triangle_step = step_; }
+    /// After the last triangle.
+    void frame_end() {
+        recording_.end_step = step_;
+        recording_.counters = counters_;
+    }
+
+private:
+    void step(StepKind kind, bool passed = true, bool first = false) {
+        ++step_;
+        count_step(counters_, kind, passed, first);
+    }
+
+    void add_index_entry(int unit) {
+        const auto fragments = static_cast<std::uint32_t>(recording_.fragments.size());
+        recording_.index.push_back(
+            {.step = step_,
+             .fragment = fragments,
+             .object = object_,
+             .triangle = triangle_,
+             .piece = piece_,
+             .unit = unit,
+             .before = counters_}
+        );
+        if (fragments - last_checkpoint_ >= spacing_) {
+            add_checkpoint(fragments);
+        }
+    }
+
+    /// Keeps the framebuffer; when the budget is full, doubles the spacing and lets every second
+    /// checkpoint go.
+    void add_checkpoint(std::uint32_t fragments) {
+        const PixelBuffer& buffer = pixels_.buffer();
+        const std::size_t size =
+            buffer.pixels.size() * sizeof(PixelRecord) + buffer.color32f.size() * sizeof(glm::vec4);
+        std::vector<Checkpoint>& kept = recording_.checkpoints;
+        last_checkpoint_ = fragments;
+        while (!kept.empty() && (kept.size() + 1) * size > options_.checkpoint_budget) {
+            spacing_ *= 2;
+            for (std::size_t i = 0; 2 * i + 1 < kept.size(); ++i) {
+                std::swap(kept[i], kept[2 * i + 1]);
+            }
+            kept.resize(kept.size() / 2);
+        }
+        if ((kept.size() + 1) * size <= options_.checkpoint_budget) {
+            kept.push_back({fragments, buffer});
+        }
+    }
+
+    Recording& recording_;
+    RecordedPixels& pixels_;
+    const RecordOptions& options_;
+    Counters counters_;
+    StepId step_ = 1; // 0 is `start`
+    std::uint32_t spacing_;
+    std::uint32_t last_checkpoint_ = 0;
+    std::uint32_t object_ = 0;
+    std::uint32_t triangle_ = 0;
+    std::uint32_t frame_triangle_ = 0;
+    int piece_ = 0;
+    bool clipped_ = false;
+    bool run_open_ = false;
+    bool tested_ = false;
+    bool depth_written_ = false;
+    scene::DepthFormat depth_format_ = scene::DepthFormat::float32;
+    PixelPos pixel_;
+    float depth_ = 0.0F;
+};
+static_assert(pipeline::TraceSink<FactsTrace>);
+static_assert(framebuffer::PixelTarget<RecordedPixels>);
+
+/// Lays out the frame-wide tables: who starts where.
+void number_objects(Recording& recording) {
+    StepId step = 1;
+    std::uint32_t vertex = 0;
+    std::uint32_t triangle = 0;
+    for (const pipeline::DrawCall& call : recording.frame->calls()) {
+        const auto vertices = static_cast<std::uint32_t>(call.vertex.mesh->positions.size());
+        const auto triangles = static_cast<std::uint32_t>(call.triangles().size());
+        const int steps = pipeline::steps_per_vertex(call.settings.shading);
+        recording.objects.push_back({vertex, vertices, triangle, triangles, step, steps});
+        step += StepId{vertices} * static_cast<StepId>(steps);
+        vertex += vertices;
+        triangle += triangles;
+    }
+    recording.triangles.resize(triangle);
+}
+
+/// Draws every triangle, asking now and then whether to go on. False: stopped, or out of fragment
+/// numbers.
+enum class Outcome : std::uint8_t {
+    complete,
+    stopped,
+    too_many_fragments
+};
+
+Outcome draw_triangles(
+    Recording& recording, RecordedPixels& pixels, FactsTrace& facts, const RecordOptions& options
+) {
+    constexpr std::uint32_t between_questions = 4096; // triangles
+    constexpr std::size_t most_fragments = std::size_t{1} << 31U;
+    std::uint32_t done = 0;
+    for (const pipeline::DrawCall& call : recording.frame->calls()) {
+        for (std::uint32_t i = 0; i < call.triangles().size(); ++i, ++done) {
+            if (done % between_questions == 0 && options.progress &&
+                !options.progress(
+                    static_cast<double>(done) / static_cast<double>(recording.triangles.size())
+                )) {
+                return Outcome::stopped;
+            }
+            pipeline::draw_triangle(call, i, {}, pixels, facts);
+            if (recording.fragments.size() > most_fragments) {
+                return Outcome::too_many_fragments;
+            }
+        }
+    }
+    return Outcome::complete;
+}
+
+Result<std::shared_ptr<const Recording>>
+record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& options) {
+    const auto began = std::chrono::steady_clock::now();
+    auto recording = std::make_shared<Recording>();
+    recording->frame = std::make_shared<pipeline::Frame>(std::move(scene));
+    const scene::Scene& source = recording->scene();
+    number_objects(*recording);
+
+    // Vertex stage of every object, then every triangle in file order
+    RecordedPixels pixels(source.settings);
+    recording->last_fragment.assign(pixels.buffer().pixels.size(), no_fragment);
+    FactsTrace facts(*recording, pixels, options);
+    for (pipeline::DrawCall& call : recording->frame->calls()) {
+        pipeline::run_vertex_stage(call, facts);
+    }
+    facts.vertex_stage_end();
+    const Outcome outcome = draw_triangles(*recording, pixels, facts, options);
+    if (outcome == Outcome::stopped) {
+        return Diagnostic{.file = source.file, .message = "recording was stopped"};
+    }
+    if (outcome == Outcome::too_many_fragments) {
+        return Diagnostic{
+            .file = source.file,
+            .message = "more than 2147483648 fragments; record at a smaller size"};
+    }
+    facts.frame_end();
+    recording->final_pixels = std::move(pixels.buffer());
+    recording->seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    return std::shared_ptr<const Recording>(std::move(recording));
+}
+
+} // namespace
+
+Result<std::shared_ptr<const Recording>>
+record(std::shared_ptr<const scene::Scene> scene, const RecordOptions& options) {
+    const std::string file = scene->file;
+    try {
+        return record_frame(std::move(scene), options);
+    } catch (const std::bad_alloc&) {
+        return Diagnostic{
+            .file = file, .message = "not enough memory to record this frame; use a smaller size"};
+    }
+}
+
+} // namespace hs::trace

@@ -1,0 +1,126 @@
+#include "core/trace/step.hpp"
+
+#include <fmt/format.h>
+
+namespace hs {
+
+template <>
+std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
+    using trace::StepKind;
+    static constexpr std::array<Named<StepKind>, 18> table{{
+        {StepKind::start, "start", "the framebuffer is cleared"},
+        {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
+        {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
+        {StepKind::vertex_clip,
+         "clip space",
+         "the projection matrix takes the vertex to clip space"},
+        {StepKind::vertex_light, "light", "the vertex is lit"},
+        {StepKind::outcodes, "outcodes", "each vertex is held against every clip plane"},
+        {StepKind::clip_plane, "clip", "the polygon is cut by one plane"},
+        {StepKind::divide, "divide", "clip coordinates are divided by w"},
+        {StepKind::viewport, "viewport", "NDC become pixels, snapped to 1/256"},
+        {StepKind::facing, "cull", "the sign of the snapped area decides which side is seen"},
+        {StepKind::setup, "setup", "the three edge functions are set up"},
+        {StepKind::edge_test, "edge test", "the pixel center is held against the three edges"},
+        {StepKind::interpolate, "interpolate", "depth and varyings are interpolated at the pixel"},
+        {StepKind::shade, "shade", "the fragment gets its color"},
+        {StepKind::scissor_test, "scissor test", "the pixel is held against the scissor rectangle"},
+        {StepKind::depth_test,
+         "depth test",
+         "the fragment's depth is compared with the stored one"},
+        {StepKind::merge, "merge", "the fragment changes the pixel"},
+        {StepKind::end, "end", "the frame is finished"},
+    }};
+    return table;
+}
+
+template <>
+std::span<const Named<trace::Stage>> names<trace::Stage>() {
+    using trace::Stage;
+    static constexpr std::array<Named<Stage>, trace::stage_count> table{{
+        {Stage::application, "application", "the scene is handed over and the framebuffer cleared"},
+        {Stage::vertex, "vertex", "every vertex goes from object space to clip space"},
+        {Stage::clip, "clip", "triangles are cut at the view volume"},
+        {Stage::divide, "divide", "clip coordinates are divided by w"},
+        {Stage::viewport, "viewport", "NDC become snapped window coordinates"},
+        {Stage::cull, "cull", "faces turned the wrong way are dropped"},
+        {Stage::setup, "setup", "edge functions are prepared"},
+        {Stage::traverse, "traverse", "pixels are asked whether they are covered"},
+        {Stage::shade, "shade", "fragments get their color"},
+        {Stage::test, "test", "scissor and depth tests decide each fragment's fate"},
+        {Stage::merge, "merge", "surviving fragments change their pixel"},
+    }};
+    return table;
+}
+
+template <>
+std::span<const Named<trace::Granularity>> names<trace::Granularity>() {
+    using trace::Granularity;
+    static constexpr std::array<Named<Granularity>, 6> table{{
+        {Granularity::stage, "stage", "all vertices, then all triangles"},
+        {Granularity::object, "object", "one object's vertices, or its triangles"},
+        {Granularity::triangle, "triangle", "one triangle (in the vertex stage: one vertex)"},
+        {Granularity::scanline, "scanline", "one row of a triangle's traversal"},
+        {Granularity::fragment, "fragment", "one fragment from interpolation to its fate"},
+        {Granularity::operation, "operation", "one step"},
+    }};
+    return table;
+}
+
+} // namespace hs
+
+namespace hs::trace {
+
+Stage stage_of(StepKind kind) {
+    switch (kind) {
+    case StepKind::start: return Stage::application;
+    case StepKind::vertex_world:
+    case StepKind::vertex_eye:
+    case StepKind::vertex_clip:
+    case StepKind::vertex_light: return Stage::vertex;
+    case StepKind::outcodes:
+    case StepKind::clip_plane: return Stage::clip;
+    case StepKind::divide: return Stage::divide;
+    case StepKind::viewport: return Stage::viewport;
+    case StepKind::facing: return Stage::cull;
+    case StepKind::setup: return Stage::setup;
+    case StepKind::edge_test:
+    case StepKind::interpolate: return Stage::traverse;
+    case StepKind::shade: return Stage::shade;
+    case StepKind::scissor_test:
+    case StepKind::depth_test: return Stage::test;
+    case StepKind::merge:
+    case StepKind::end: return Stage::merge;
+    }
+    HS_CHECK(false, "every step kind has a stage");
+    return Stage::application;
+}
+
+std::string step_path(const Step& step) {
+    const std::string_view operation = name_of(step.kind);
+    if (step.kind == StepKind::start || step.kind == StepKind::end) {
+        return std::string{operation};
+    }
+    if (step.in_vertex_stage()) {
+        return fmt::format(
+            "vertex stage / object {} / vertex {} / {}", step.object, step.vertex, operation
+        );
+    }
+
+    std::string path = fmt::format("object {} / triangle {}", step.object, step.triangle);
+    if (step.kind == StepKind::clip_plane) {
+        return path + fmt::format(" / clip / plane {}", name_of(step.plane));
+    }
+    if (step.clipped && step.has_piece()) {
+        path += fmt::format(" piece {}", step.piece);
+    }
+    if (step.kind == StepKind::edge_test) {
+        return path + fmt::format(" / pixel {},{}", step.pixel.x, step.pixel.y);
+    }
+    if (step.in_fragment()) {
+        path += fmt::format(" / fragment {},{}", step.pixel.x, step.pixel.y);
+    }
+    return path + fmt::format(" / {}", operation);
+}
+
+} // namespace hs::trace
