@@ -61,7 +61,7 @@ need_packages() {
     say "Installing ${#missing[@]} Debian packages $why: ${missing[*]}"
     "${as_root[@]}" apt-get update -qq
     "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >&2
+        apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null >/dev/null
 }
 
 # configure <preset> [cmake arguments...]: only when something asks for it; afterwards the build
