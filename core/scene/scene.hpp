@@ -23,7 +23,7 @@ struct Material {
     glm::vec4 diffuse{1.0F, 1.0F, 1.0F, 1.0F};
     glm::vec3 specular{0.0F, 0.0F, 0.0F};
     float shininess = 32.0F; ///< >= 0
-    std::shared_ptr<const Texture> texture; ///< may be null
+    std::shared_ptr<const Texture> texture{}; ///< may be null
 };
 
 enum class LightKind : std::uint8_t { directional, point, ambient };

@@ -177,8 +177,8 @@ PixelBefore pixel_before(const Recording& recording, std::uint32_t fragment) {
     for (; i != no_fragment && !(color_found && depth_found); i = recording.fragments[i].previous) {
         const FragmentRecord& earlier = recording.fragments[i];
         if (!color_found && earlier.written()) {
-            before.color = recording.color32f.empty() ? framebuffer::unpack(earlier.color)
-                                                      : recording.color32f[i];
+            before.color = !recording.float_color() ? framebuffer::unpack(earlier.color)
+                                                    : recording.color32f[i];
             before.triangle = recording.run_of_fragment(i).triangle;
             color_found = true;
         }
@@ -188,7 +188,7 @@ PixelBefore pixel_before(const Recording& recording, std::uint32_t fragment) {
         }
     }
     if (!color_found) {
-        before.color = recording.color32f.empty()
+        before.color = !recording.float_color()
                            ? framebuffer::unpack(framebuffer::pack(settings.background))
                            : settings.background;
     }

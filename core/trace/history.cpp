@@ -17,8 +17,8 @@ HistoryRow row_of(const Recording& recording, std::uint32_t fragment) {
     row.triangle_step = recording.triangles[row.frame_triangle].first_step;
     row.depth = record.depth;
     row.fate = record.fate;
-    row.after = recording.color32f.empty() ? framebuffer::unpack(record.color)
-                                           : recording.color32f[fragment];
+    row.after =
+        !recording.float_color() ? framebuffer::unpack(record.color) : recording.color32f[fragment];
     return row;
 }
 
@@ -45,7 +45,7 @@ PixelHistory pixel_history(const Recording& recording, PixelPos pixel, std::size
     // Carry what the pixel holds from row to row
     const scene::Settings& settings = recording.settings();
     PixelBefore held;
-    held.color = recording.color32f.empty()
+    held.color = !recording.float_color()
                      ? framebuffer::unpack(framebuffer::pack(settings.background))
                      : settings.background;
     held.depth = framebuffer::store_depth(settings.depth_clear(), settings.depth_format);

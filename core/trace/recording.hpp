@@ -140,6 +140,10 @@ struct Recording {
 
     [[nodiscard]] const scene::Scene& scene() const { return frame->scene(); }
     [[nodiscard]] const scene::Settings& settings() const { return frame->settings(); }
+    /// Colors are kept in color32f; a fragment's 8-bit color is then only for display.
+    [[nodiscard]] bool float_color() const {
+        return settings().color_format == scene::ColorFormat::rgba32f;
+    }
     [[nodiscard]] int width() const { return settings().width; }
     [[nodiscard]] int height() const { return settings().height; }
     [[nodiscard]] std::size_t pixel_index(PixelPos p) const {
@@ -163,7 +167,7 @@ struct RecordOptions {
     std::size_t checkpoint_budget = std::size_t{192} << 20U; ///< bytes
     std::uint32_t checkpoint_spacing = 1U << 20U; ///< fragments between checkpoints, at first
     /// Called now and then with the part done in [0, 1]; returning false stops. May be empty.
-    std::function<bool(double)> progress;
+    std::function<bool(double)> progress{};
 };
 
 /// Runs the pipeline over the scene and keeps its facts. Errors: stopped by `progress`; more

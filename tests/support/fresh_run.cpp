@@ -1,0 +1,123 @@
+#include "tests/support/fresh_run.hpp"
+
+#include "core/base/hash.hpp"
+#include "core/pipeline/draw.hpp"
+
+namespace hs::tests {
+namespace {
+
+using trace::StepKind;
+
+/// Copies the state at every step and goes on. Written without the recorder's counting on purpose.
+class MomentTrace {
+public:
+    MomentTrace(const framebuffer::Framebuffer& target, std::vector<Moment>& moments)
+        : target_(target), moments_(moments) {}
+
+    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int steps) {
+        ++counters_.vertices;
+        for (int i = 0; i < steps; ++i) {
+            add(static_cast<StepKind>(static_cast<int>(StepKind::vertex_world) + i));
+        }
+    }
+    void triangle_begin(std::uint32_t, std::uint32_t) { clipped_ = false; }
+    void outcodes(const std::array<geometry::Outcode, 3>&) {
+        ++counters_.triangles;
+        add(StepKind::outcodes);
+    }
+    void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {
+        counters_.clipped += clipped_ ? 0U : 1U;
+        clipped_ = true;
+        add(StepKind::clip_plane);
+    }
+    void piece_begin(int) {}
+    void divided(const std::array<geometry::WindowVertex, 3>&) {
+        ++counters_.pieces;
+        add(StepKind::divide);
+    }
+    void mapped(const std::array<geometry::WindowVertex, 3>&) {
+        ++counters_.pieces_mapped;
+        add(StepKind::viewport);
+    }
+    void faced(std::int64_t, geometry::TriangleVerdict) {
+        ++counters_.pieces_faced;
+        add(StepKind::facing);
+    }
+    void set_up(const raster::TriangleSetup&) {
+        ++counters_.pieces_set_up;
+        add(StepKind::setup);
+    }
+    void unit(int) {}
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) {
+        ++counters_.pixels_visited;
+        add(StepKind::edge_test);
+    }
+    void interpolated(const raster::Fragment&) {
+        ++counters_.fragments;
+        tests_ = 0;
+        add(StepKind::interpolate);
+    }
+    void shaded(const shading::ShadedFragment&) {
+        ++counters_.fragments_shaded;
+        add(StepKind::shade);
+    }
+    void scissor_tested(bool inside) { test(StepKind::scissor_test, inside, 1); }
+    void depth_tested(const pipeline::DepthTest& t) { test(StepKind::depth_test, t.passed, 2); }
+    void merged(const pipeline::Merge&) {
+        ++counters_.fates[0];
+        add(StepKind::merge);
+    }
+    void fragment_end(fragment::FragmentFate) {}
+    void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+
+    void add(StepKind kind) { moments_.push_back({kind, target_.digest(), counters_}); }
+
+private:
+    void test(StepKind kind, bool passed, std::size_t fate) {
+        counters_.fragments_tested += tests_++ == 0 ? 1U : 0U;
+        counters_.fates[fate] += passed ? 0U : 1U;
+        add(kind);
+    }
+
+    const framebuffer::Framebuffer& target_;
+    std::vector<Moment>& moments_;
+    trace::Counters counters_;
+    bool clipped_ = false;
+    int tests_ = 0;
+};
+
+} // namespace
+
+std::vector<Moment> fresh_run(const std::shared_ptr<const scene::Scene>& scene) {
+    pipeline::Frame frame(scene);
+    framebuffer::Framebuffer target(scene->settings);
+    std::vector<Moment> moments;
+    MomentTrace trace(target, moments);
+    trace.add(StepKind::start);
+    pipeline::draw_frame(frame, target, trace);
+    trace.add(StepKind::end);
+    return moments;
+}
+
+std::uint64_t shown_digest(const trace::Player& player) {
+    const trace::Recording& recording = player.recording();
+    const bool float_color = recording.settings().color_format == scene::ColorFormat::rgba32f;
+    Digest digest;
+    for (int y = 0; y < recording.height(); ++y) {
+        for (int x = 0; x < recording.width(); ++x) {
+            const trace::PixelRecord& pixel = player.pixel({x, y});
+            if (float_color) {
+                const glm::vec4 color = player.color({x, y});
+                for (const float channel : {color.r, color.g, color.b, color.a}) {
+                    digest.add(channel);
+                }
+            } else {
+                digest.add(pixel.color);
+            }
+            digest.add(pixel.depth);
+        }
+    }
+    return digest.value();
+}
+
+} // namespace hs::tests
