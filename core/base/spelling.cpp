@@ -51,4 +51,13 @@ std::string did_you_mean(std::string_view text, std::span<const std::string_view
     return nearest.empty() ? "" : "; did you mean \"" + std::string{nearest} + "\"?";
 }
 
+std::string list_of_choices(std::span<const std::string_view> choices) {
+    std::string text;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        text += i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ";
+        text += '"' + std::string{choices[i]} + '"';
+    }
+    return text;
+}
+
 } // namespace hs

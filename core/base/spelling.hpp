@@ -1,4 +1,4 @@
-// "Did you mean …?": the known name nearest to a misspelled one.
+// Words for messages about names: which there are, and "did you mean …?".
 #pragma once
 
 #include <span>
@@ -13,5 +13,8 @@ std::string_view nearest_name(std::string_view text, std::span<const std::string
 
 /// `; did you mean "depth.test"?`, or nothing.
 std::string did_you_mean(std::string_view text, std::span<const std::string_view> candidates);
+
+/// `"none", "back" or "front"`.
+std::string list_of_choices(std::span<const std::string_view> choices);
 
 } // namespace hs

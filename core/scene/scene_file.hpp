@@ -1,4 +1,4 @@
-// Scene files: TOML in, Scene out. The only file that knows toml++ for scenes is scene_file.cpp.
+// Scene files: TOML in, Scene out. Only scene_file.cpp and the folder file/ know toml++.
 #pragma once
 
 #include "core/base/diagnostic.hpp"

@@ -158,17 +158,6 @@ SettingValue from_rect(const PixelRect& rect) {
 // -----------------------------------------------------------------------
 
 template <typename Enum>
-std::string list_of_choices() {
-    const std::span<const Named<Enum>> table = names<Enum>();
-    std::string text;
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        text += i == 0 ? "" : i + 1 == table.size() ? " or " : ", ";
-        text += '"' + std::string{table[i].name} + '"';
-    }
-    return text;
-}
-
-template <typename Enum>
 std::vector<std::string_view> choices() {
     std::vector<std::string_view> list;
     for (const Named<Enum>& row : names<Enum>()) {
@@ -182,7 +171,7 @@ Complaint assign_choice(Enum& target, std::string_view key, const SettingValue& 
     const std::string* text = std::get_if<std::string>(&value.value);
     const std::optional<Enum> choice = text == nullptr ? std::nullopt : parse_name<Enum>(*text);
     if (!choice) {
-        return must_be(key, list_of_choices<Enum>(), value);
+        return must_be(key, list_of_choices(choices<Enum>()), value);
     }
     target = *choice;
     return std::nullopt;
