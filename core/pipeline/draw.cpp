@@ -24,7 +24,7 @@ glm::vec4 flat_color(const DrawCall& call, const scene::TriangleIndices& indices
         {.position = p2,
          .normal = normal,
          .to_viewer = shading::to_viewer(p2, call.vertex.shading.orthographic),
-         .color = call.vertices[indices.c].clip.varyings.color(),
+         .color = call.clip_vertex(indices.c).varyings.color(),
          .specular = call.vertex.shading.specular,
          .shininess = call.vertex.shading.shininess},
         call.vertex.shading.lights
@@ -37,7 +37,7 @@ glm::vec4 flat_color(const DrawCall& call, const scene::TriangleIndices& indices
 geometry::ClipPolygon assemble(const DrawCall& call, const scene::TriangleIndices& indices) {
     geometry::ClipPolygon polygon;
     for (int corner = 0; corner < 3; ++corner) {
-        polygon.add(call.vertices[indices[corner]].clip);
+        polygon.add(call.clip_vertex(indices[corner]));
     }
     if (call.settings.shading == scene::Shading::flat) {
         const glm::vec4 color = flat_color(call, indices);

@@ -2,6 +2,7 @@
 // traverse › shade › test › merge.
 #pragma once
 
+#include "core/base/parallel.hpp"
 #include "core/fragment/blend.hpp"
 #include "core/framebuffer/depth.hpp"
 #include "core/framebuffer/framebuffer.hpp"
@@ -126,7 +127,7 @@ void draw_fragment(
 
 /// A piece of a triangle: three clipped vertices and their place in the window.
 struct Piece {
-    std::array<const math::Varyings*, 3> varyings{};
+    std::array<const float*, 3> varyings{};
     std::array<geometry::WindowVertex, 3> window{};
 };
 
@@ -235,7 +236,7 @@ geometry::TriangleVerdict draw_clipped(
         const std::array<int, 3> corners{0, piece + 1, piece + 2};
         for (unsigned k = 0; k < 3; ++k) {
             const geometry::ClipVertex& vertex = polygon[corners[k]];
-            fan.varyings[k] = &vertex.varyings;
+            fan.varyings[k] = vertex.varyings.values.data();
             fan.window[k] = geometry::to_window(vertex.position, call.viewport);
         }
         trace.piece_begin(piece);
@@ -275,14 +276,17 @@ geometry::TriangleVerdict draw_triangle(
             verdict = draw_clipped(call, assemble(call, indices), crossed, scope, target, trace);
         } else {
             Piece whole{
-                {&v0.clip.varyings, &v1.clip.varyings, &v2.clip.varyings},
+                {call.varyings_of(indices.a),
+                 call.varyings_of(indices.b),
+                 call.varyings_of(indices.c)},
                 {v0.window, v1.window, v2.window},
             };
             geometry::ClipPolygon assembled;
             if (constant) {
                 assembled = assemble(call, indices);
-                whole.varyings = {
-                    &assembled[0].varyings, &assembled[1].varyings, &assembled[2].varyings};
+                for (unsigned k = 0; k < 3; ++k) {
+                    whole.varyings[k] = assembled.vertices[k].varyings.values.data();
+                }
             }
             trace.piece_begin(0);
             verdict = draw_piece(call, whole, scope.units(0), target, trace);
@@ -292,28 +296,30 @@ geometry::TriangleVerdict draw_triangle(
     return verdict;
 }
 
-/// The vertex stage of one object.
+/// The vertex stage of one object. Vertices do not depend on each other, so threads may share them;
+/// the story is told in order all the same.
 template <TraceSink Trace>
-void run_vertex_stage(DrawCall& call, Trace& trace) {
+void run_vertex_stage(DrawCall& call, Trace& trace, unsigned threads = 1) {
+    constexpr std::size_t grain = 4096;
     const std::size_t count = call.vertex.mesh->positions.size();
+    call.resize_vertices(count);
+    parallel_ranges(count, threads, grain, [&call](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const VertexWork work = run_vertex(call.vertex, static_cast<std::uint32_t>(i));
+            call.place_vertex(i, {work.clip, work.varyings});
+        }
+    });
     const int steps = steps_per_vertex(call.settings.shading);
-    call.vertices.resize(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const VertexWork work = run_vertex(call.vertex, i);
-        trace.vertex_run(call.object, i, work, steps);
-        call.vertices[i] = {
-            .clip = {work.clip, work.varyings},
-            .window = geometry::to_window(work.clip, call.viewport),
-            .outcode = geometry::outcode(call.volume, work.clip),
-        };
+        trace.vertex_run(call.object, i, steps);
     }
 }
 
 /// A whole frame: every object's vertices, then every object's triangles, in file order.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
-void draw_frame(Frame& frame, Target& target, Trace& trace) {
+void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
     for (DrawCall& call : frame.calls()) {
-        run_vertex_stage(call, trace);
+        run_vertex_stage(call, trace, threads);
     }
     for (const DrawCall& call : frame.calls()) {
         for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace hs::pipeline {
@@ -44,6 +45,23 @@ bool is_orthographic(const scene::Camera& camera) {
 }
 
 } // namespace
+
+void DrawCall::place_vertex(std::size_t index, const geometry::ClipVertex& placed) {
+    const auto stride = static_cast<std::size_t>(vertex.layout.count);
+    std::copy_n(placed.varyings.values.begin(), stride, varyings.data() + index * stride);
+    vertices[index] = {
+        .clip = placed.position,
+        .window = geometry::to_window(placed.position, viewport),
+        .outcode = geometry::outcode(volume, placed.position),
+    };
+}
+
+geometry::ClipVertex DrawCall::clip_vertex(std::size_t index) const {
+    geometry::ClipVertex result{vertices[index].clip, {}};
+    const auto stride = static_cast<std::size_t>(vertex.layout.count);
+    std::copy_n(varyings_of(index), stride, result.varyings.values.begin());
+    return result;
+}
 
 Frame::Frame(std::shared_ptr<const scene::Scene> scene)
     : scene_(std::move(scene)),

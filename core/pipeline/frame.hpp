@@ -18,6 +18,22 @@ struct DrawCall {
     geometry::ClipVolume volume;
     geometry::Viewport viewport;
     std::vector<ShadedVertex> vertices; ///< as many as the mesh has, once the vertex stage has run
+    std::vector<float> varyings;        ///< vertices × layout.count
+
+    /// Makes room for vertices, to be placed by `place_vertex`.
+    void resize_vertices(std::size_t count) {
+        vertices.resize(count);
+        varyings.resize(count * static_cast<std::size_t>(vertex.layout.count));
+    }
+    /// Stores a vertex with its outcode and its place in the window. Precondition: index below the
+    /// size.
+    void place_vertex(std::size_t index, const geometry::ClipVertex& placed);
+    /// The `layout.count` varyings of a vertex.
+    [[nodiscard]] const float* varyings_of(std::size_t index) const {
+        return varyings.data() + index * static_cast<std::size_t>(vertex.layout.count);
+    }
+    /// A vertex as clipping takes it.
+    [[nodiscard]] geometry::ClipVertex clip_vertex(std::size_t index) const;
 
     [[nodiscard]] const std::vector<scene::TriangleIndices>& triangles() const {
         return vertex.mesh->triangles;

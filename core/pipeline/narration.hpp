@@ -43,7 +43,6 @@ concept TraceSink = requires(
     const T& ct,
     std::uint32_t id,
     int number,
-    const VertexWork& work,
     const std::array<geometry::Outcode, 3>& codes,
     const geometry::ClipPolygon& polygon,
     const std::array<geometry::WindowVertex, 3>& window,
@@ -58,7 +57,7 @@ concept TraceSink = requires(
     const Merge& merge,
     fragment::FragmentFate fate
 ) {
-    t.vertex_run(id, id, work, number); // *step* × number: world, eye, clip, and light for Gouraud
+    t.vertex_run(id, id, number); // *step* × number: world, eye, clip, and light for Gouraud
     t.triangle_begin(id, id);
     t.outcodes(codes);                                      // *step*
     t.clipped(geometry::ClipPlane::near, polygon, polygon); // *step*, per plane that clips
@@ -80,7 +79,7 @@ concept TraceSink = requires(
 
 /// The sink that compiles away.
 struct NullTrace {
-    void vertex_run(std::uint32_t, std::uint32_t, const VertexWork&, int) {}
+    void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {}
     void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {}

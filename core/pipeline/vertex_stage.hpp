@@ -51,10 +51,11 @@ struct VertexWork {
 /// Runs the stage for one vertex of the mesh. A pure function.
 VertexWork run_vertex(const VertexInputs& in, std::uint32_t vertex);
 
-/// The vertex after the stage, ready for primitive assembly: with its outcode and, where it needs
-/// no clipping, its place in the window, so that triangles sharing it share that work.
+/// The vertex after the stage, ready for primitive assembly: with its outcode and its place in the
+/// window, so that triangles sharing it share that work. One cache line; varyings are kept beside
+/// it, as many floats as the draw uses.
 struct ShadedVertex {
-    geometry::ClipVertex clip;
+    math::ClipPosition clip;
     geometry::WindowVertex window;
     geometry::Outcode outcode = 0;
 };

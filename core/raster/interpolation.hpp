@@ -21,9 +21,9 @@ namespace hs::raster {
 struct Interpolants {
     float depth0 = 0.0F, depth1 = 0.0F, depth2 = 0.0F; ///< window depth at the vertices
     float inv_w0 = 1.0F, inv_w1 = 1.0F, inv_w2 = 1.0F;
-    const math::Varyings* varyings0 = nullptr; ///< the vertices', not owned, never null in use
-    const math::Varyings* varyings1 = nullptr;
-    const math::Varyings* varyings2 = nullptr;
+    const float* varyings0 = nullptr; ///< the vertices', not owned, `varying_count` floats each
+    const float* varyings1 = nullptr;
+    const float* varyings2 = nullptr;
     int varying_count = 4;
     bool perspective = true;
 };
@@ -66,7 +66,7 @@ struct Fragment {
     // Interpolate what the shading uses
     for (int i = 0; i < in.varying_count; ++i) {
         f.varyings[i] =
-            math::interpolate((*in.varyings0)[i], (*in.varyings1)[i], (*in.varyings2)[i], b1, b2);
+            math::interpolate(in.varyings0[i], in.varyings1[i], in.varyings2[i], b1, b2);
     }
     return f;
 }

@@ -49,7 +49,11 @@ LightingTerms light_surface(const SurfacePoint& point, std::span<const EyeLight>
         }
         terms.diffuse += light.color * surface * n_dot_l;
 
-        // Specular: how close the half vector comes to the normal
+        // Specular: how close the half vector comes to the normal; a surface without it is spared
+        // the power
+        if (point.specular == glm::vec3{0.0F}) {
+            continue;
+        }
         const float n_dot_h = std::max(0.0F, glm::dot(n, normalized_or_zero(l + point.to_viewer)));
         if (n_dot_h > 0.0F) {
             terms.specular += light.color * point.specular * std::pow(n_dot_h, point.shininess);

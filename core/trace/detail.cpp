@@ -14,7 +14,7 @@ public:
     DetailTrace(TriangleDetail& triangle, FragmentDetail* fragment, PixelPos pixel)
         : triangle_(triangle), fragment_(fragment), pixel_(pixel) {}
 
-    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int) {}
+    void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
     void outcodes(const std::array<geometry::Outcode, 3>& codes) { triangle_.outcodes = codes; }
     void clipped(

@@ -25,7 +25,7 @@ public:
 
     [[nodiscard]] const std::uint32_t& fragment() const { return fragment_; }
 
-    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int) {}
+    void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
         at_ = {.id = at_.id, .object = object, .triangle = triangle};
     }

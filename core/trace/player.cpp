@@ -36,6 +36,18 @@ PixelCounts count_pixel(const Recording& recording, std::size_t pixel, std::uint
     return counts;
 }
 
+/// The smallest rectangle that has both.
+void extend(PixelRect& rect, PixelPos p) {
+    if (rect.empty()) {
+        rect = {p.x, p.y, p.x + 1, p.y + 1};
+        return;
+    }
+    rect.x0 = std::min(rect.x0, p.x);
+    rect.y0 = std::min(rect.y0, p.y);
+    rect.x1 = std::max(rect.x1, p.x + 1);
+    rect.y1 = std::max(rect.y1, p.y + 1);
+}
+
 std::uint16_t saturated(std::uint32_t count) {
     return static_cast<std::uint16_t>(std::min<std::uint32_t>(count, 0xFFFFU));
 }
@@ -150,46 +162,46 @@ const StepDetail& Player::detail() const {
     return *detail_;
 }
 
-void Player::mark_changed(PixelPos p) {
-    if (changed_.empty()) {
-        changed_ = {p.x, p.y, p.x + 1, p.y + 1};
-        return;
-    }
-    changed_ = {
-        std::min(changed_.x0, p.x),
-        std::min(changed_.y0, p.y),
-        std::max(changed_.x1, p.x + 1),
-        std::max(changed_.y1, p.y + 1)};
-}
-
-/// Redoes logged fragments in order.
+/// Redoes logged fragments in order. The log is read in sequence but pixels are met all over the
+/// image: asking for a pixel some fragments ahead hides most of the waiting for memory.
 void Player::apply_until(std::uint32_t fragments) {
     if (fragments_done_ >= fragments) {
         return;
     }
+    constexpr std::uint32_t ahead = 24;
     const std::vector<Run>& runs = recording_->runs;
     auto run =
         static_cast<std::size_t>(&recording_->run_of_fragment(fragments_done_) - runs.data());
+    PixelRect changed = changed_;
     for (; fragments_done_ < fragments; ++fragments_done_) {
+        if (fragments_done_ + ahead < fragments) {
+            const PixelPos coming = recording_->fragments[fragments_done_ + ahead].pixel();
+            __builtin_prefetch(&buffer_.pixels[recording_->pixel_index(coming)], 1);
+        }
         while (run + 1 < runs.size() && runs[run + 1].first_fragment <= fragments_done_) {
             ++run;
         }
         const FragmentRecord& f = recording_->fragments[fragments_done_];
-        const std::size_t at = recording_->pixel_index(f.pixel());
-        PixelRecord& pixel = buffer_.pixels[at];
-        count_saturating(pixel.complexity);
-        if (f.written()) {
-            count_saturating(pixel.overdraw);
-            pixel.color = f.color;
-            pixel.triangle = runs[run].triangle;
-            if (!buffer_.color32f.empty()) {
-                buffer_.color32f[at] = recording_->color32f[fragments_done_];
-            }
+        apply(f, runs[run].triangle);
+        extend(changed, f.pixel());
+    }
+    changed_ = changed;
+}
+
+void Player::apply(const FragmentRecord& f, std::uint32_t triangle) {
+    const std::size_t at = recording_->pixel_index(f.pixel());
+    PixelRecord& pixel = buffer_.pixels[at];
+    count_saturating(pixel.complexity);
+    if (f.written()) {
+        count_saturating(pixel.overdraw);
+        pixel.color = f.color;
+        pixel.triangle = triangle;
+        if (!buffer_.color32f.empty()) {
+            buffer_.color32f[at] = recording_->color32f[fragments_done_];
         }
-        if (f.depth_written) {
-            pixel.depth = f.depth;
-        }
-        mark_changed(f.pixel());
+    }
+    if (f.depth_written) {
+        pixel.depth = f.depth;
     }
 }
 
@@ -217,7 +229,7 @@ void Player::undo_until(std::uint32_t fragments) {
                 buffer_.color32f[at] = before.color;
             }
         }
-        mark_changed(f.pixel());
+        extend(changed_, f.pixel());
     }
 }
 
@@ -253,7 +265,9 @@ void Player::show_fragments(std::uint32_t fragments) {
                                         : undo_cost * (fragments_done_ - fragments);
     if (from_checkpoint < from_here) {
         if (above == checkpoints.begin()) {
-            restore({0, cleared_pixels(recording_->settings())});
+            clear_pixels(buffer_, recording_->settings());
+            fragments_done_ = 0;
+            changed_ = recording_->settings().image();
         } else {
             restore(*(above - 1));
         }

@@ -82,7 +82,7 @@ private:
     void undo_until(std::uint32_t fragments);
     void restore(const Checkpoint& checkpoint);
     void show_fragments(std::uint32_t fragments);
-    void mark_changed(PixelPos p);
+    void apply(const FragmentRecord& fragment, std::uint32_t triangle);
 
     std::shared_ptr<const Recording> recording_;
     Step current_;

@@ -61,7 +61,7 @@ public:
           options_(options),
           spacing_(options.checkpoint_spacing) {}
 
-    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int steps) {
+    void vertex_run(std::uint32_t, std::uint32_t, int steps) {
         step_ += static_cast<StepId>(steps);
         ++counters_.vertices;
     }
@@ -281,7 +281,7 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
     recording->last_fragment.assign(pixels.buffer().pixels.size(), no_fragment);
     FactsTrace facts(*recording, pixels, options);
     for (pipeline::DrawCall& call : recording->frame->calls()) {
-        pipeline::run_vertex_stage(call, facts);
+        pipeline::run_vertex_stage(call, facts, options.threads);
     }
     facts.vertex_stage_end();
     const Outcome outcome = draw_triangles(*recording, pixels, facts, options);

@@ -61,17 +61,21 @@ std::uint64_t Recording::digest() const {
 }
 
 PixelBuffer cleared_pixels(const scene::Settings& settings) {
+    PixelBuffer buffer;
+    clear_pixels(buffer, settings);
+    return buffer;
+}
+
+void clear_pixels(PixelBuffer& buffer, const scene::Settings& settings) {
     const std::size_t count =
         static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
     PixelRecord clear;
     clear.color = framebuffer::pack(settings.background);
     clear.depth = framebuffer::store_depth(settings.depth_clear(), settings.depth_format);
-    PixelBuffer buffer;
     buffer.pixels.assign(count, clear);
     if (settings.color_format == scene::ColorFormat::rgba32f) {
         buffer.color32f.assign(count, settings.background);
     }
-    return buffer;
 }
 
 } // namespace hs::trace

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/base/parallel.hpp"
 #include "core/fragment/fate.hpp"
 #include "core/framebuffer/color.hpp"
 #include "core/geometry/facing.hpp"
@@ -162,10 +163,13 @@ struct Recording {
 
 /// What every pixel holds before the first fragment.
 PixelBuffer cleared_pixels(const scene::Settings& settings);
+/// The same into a buffer that is there already: no memory is asked for when its size is right.
+void clear_pixels(PixelBuffer& buffer, const scene::Settings& settings);
 
 struct RecordOptions {
-    std::size_t checkpoint_budget = std::size_t{192} << 20U; ///< bytes
-    std::uint32_t checkpoint_spacing = 1U << 20U; ///< fragments between checkpoints, at first
+    std::size_t checkpoint_budget = std::size_t{512} << 20U; ///< bytes
+    std::uint32_t checkpoint_spacing = 1U << 19U; ///< fragments between checkpoints, at first
+    unsigned threads = hardware_threads();        ///< for the vertex stage
     /// Called now and then with the part done in [0, 1]; returning false stops. May be empty.
     std::function<bool(double)> progress{};
 };

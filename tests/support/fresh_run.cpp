@@ -14,7 +14,7 @@ public:
     MomentTrace(const framebuffer::Framebuffer& target, std::vector<Moment>& moments)
         : target_(target), moments_(moments) {}
 
-    void vertex_run(std::uint32_t, std::uint32_t, const pipeline::VertexWork&, int steps) {
+    void vertex_run(std::uint32_t, std::uint32_t, int steps) {
         ++counters_.vertices;
         for (int i = 0; i < steps; ++i) {
             add(static_cast<StepKind>(static_cast<int>(StepKind::vertex_world) + i));
