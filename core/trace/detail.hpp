@@ -2,6 +2,7 @@
 // fragment, obtained by running that primitive again with a sink that keeps the values.
 #pragma once
 
+#include "core/geometry/eye_facing.hpp"
 #include "core/pipeline/narration.hpp"
 #include "core/trace/recording.hpp"
 
@@ -40,6 +41,8 @@ struct TriangleDetail {
     std::uint32_t triangle = 0; ///< of the object
     scene::TriangleIndices vertices;
     std::array<VertexDetail, 3> corners;
+    geometry::EyeFacing
+        eye_facing; ///< facing as lectures teach it, beside each piece's signed area
     std::array<geometry::Outcode, 3> outcodes{};
     std::vector<ClipPass> passes; ///< empty: trivially accepted or rejected
     std::vector<PieceDetail> pieces;
