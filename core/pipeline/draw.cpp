@@ -23,7 +23,7 @@ glm::vec4 flat_color(const DrawCall& call, const scene::TriangleIndices& indices
     const shading::LightingTerms terms = shading::light_surface(
         {.position = p2,
          .normal = normal,
-         .to_viewer = shading::to_viewer(p2, call.vertex.shading.orthographic),
+         .to_viewer = shading::to_viewer(call.vertex.shading, p2),
          .color = call.clip_vertex(indices.c).varyings.color(),
          .specular = call.vertex.shading.specular,
          .shininess = call.vertex.shading.shininess},

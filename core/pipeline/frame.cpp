@@ -89,6 +89,7 @@ Frame::Frame(std::shared_ptr<const scene::Scene> scene)
             .specular = material.specular,
             .shininess = material.shininess,
             .orthographic = is_orthographic(scene_->camera),
+            .forward = scene::forward_sign(scene_->camera),
             .lights = lights_,
         };
         call.volume =

@@ -38,7 +38,7 @@ VertexWork run_vertex(const VertexInputs& in, std::uint32_t vertex) {
         work.terms = shading::light_surface(
             {.position = eye_position,
              .normal = normal,
-             .to_viewer = shading::to_viewer(eye_position, in.shading.orthographic),
+             .to_viewer = shading::to_viewer(in.shading, eye_position),
              .color = work.varyings.color(),
              .specular = in.shading.specular,
              .shininess = in.shading.shininess},

@@ -73,6 +73,10 @@ orthographic_matrix(const Projection& p, float aspect, float sign, const DepthRa
 
 } // namespace
 
+float forward_sign(const Camera& camera) {
+    return camera.projection.kind == ProjectionKind::identity ? 1.0F : forward_sign(camera.forward);
+}
+
 LookAtBasis look_at_basis(const Camera& camera) {
     const glm::vec3 sight = glm::normalize(camera.target - camera.eye);
     // Right is right on screen for both directions of view, so +z makes the eye's basis

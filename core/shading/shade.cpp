@@ -4,10 +4,10 @@
 
 namespace hs::shading {
 
-glm::vec3 to_viewer(const glm::vec3& eye_position, bool orthographic) {
+glm::vec3 to_viewer(const ShadingInputs& in, const glm::vec3& eye_position) {
     const float distance = glm::length(eye_position);
-    if (orthographic || distance == 0.0F) {
-        return {0.0F, 0.0F, 1.0F};
+    if (in.orthographic || distance == 0.0F) {
+        return {0.0F, 0.0F, -in.forward};
     }
     return -eye_position / distance;
 }

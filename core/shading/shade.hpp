@@ -21,6 +21,7 @@ struct ShadingInputs {
     glm::vec3 specular{0.0F};
     float shininess = 32.0F;
     bool orthographic = false; ///< the viewer is a direction, not a point
+    float forward = -1.0F;     ///< the direction of sight in eye space, along z
     std::span<const EyeLight> lights;
 };
 
@@ -32,7 +33,7 @@ struct ShadedFragment {
 };
 
 /// Unit vector from a point in eye space to the viewer.
-glm::vec3 to_viewer(const glm::vec3& eye_position, bool orthographic);
+glm::vec3 to_viewer(const ShadingInputs& in, const glm::vec3& eye_position);
 
 /// Surface color = interpolated color × texel; with Phong shading it is lit here, otherwise it was
 /// lit (or not) before. Gouraud and flat colors are lit per vertex and then modulated, specular
@@ -50,7 +51,7 @@ inline ShadedFragment shade(const ShadingInputs& in, const math::Varyings& varyi
         result.terms = light_surface(
             {.position = position,
              .normal = varyings.vec3_at(in.layout.normal),
-             .to_viewer = to_viewer(position, in.orthographic),
+             .to_viewer = to_viewer(in, position),
              .color = result.color,
              .specular = in.specular,
              .shininess = in.shininess},

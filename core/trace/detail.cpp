@@ -95,15 +95,12 @@ empty_triangle_detail(const Recording& recording, std::uint32_t object, std::uin
         detail.corners[static_cast<unsigned>(corner)] =
             vertex_detail(recording, object, detail.vertices[corner]);
     }
-    const scene::Camera& camera = recording.scene().camera;
-    const bool looks_along_plus_z = camera.forward == scene::Forward::plus_z ||
-                                    camera.projection.kind == scene::ProjectionKind::identity;
     detail.eye_facing = geometry::eye_facing(
         std::array{
             detail.corners[0].work.eye, detail.corners[1].work.eye, detail.corners[2].work.eye},
         call.settings.front_face,
         call.vertex.shading.orthographic,
-        looks_along_plus_z ? 1.0F : -1.0F
+        scene::forward_sign(recording.scene().camera)
     );
     detail.verdict =
         recording.triangles[recording.objects[object].first_triangle + triangle].verdict;
