@@ -11,7 +11,7 @@ namespace hs::lesson {
 
 struct Grade {
     bool right = false;
-    std::string message;       ///< what to say about it, Markdown with the numbers filled in
+    std::string message; ///< what to say about a wrong one, plain text with numbers; may be empty
     std::string misconception; ///< name of the known misconception, "" when none is recognised
     PixelSet missing;          ///< pixels questions: asked for, not picked
     PixelSet extra;            ///< picked, not asked for

@@ -78,11 +78,14 @@ public:
     [[nodiscard]] const Answer* prediction() const;
     /// The last grade, null before the first answer.
     [[nodiscard]] const Grade* grade() const;
-    /// Grades an answer. Precondition: the question is open or to be retried and its frame was
-    /// recorded.
-    const Grade& answer(Value value);
+    /// Grades an answer, against the scene as the lesson has it whatever the student has changed.
+    /// A pass-fail question takes a bool, a choice the `value` of a choice as a string.
+    /// Precondition: can_answer().
+    const Grade& answer(const Value& value);
     /// "I don't know": reveals at once. Same precondition.
     void give_up();
+    /// The question is open or to be retried, and its frame was recorded.
+    [[nodiscard]] bool can_answer() const;
     /// The right answer and the formula filled in; empty until revealed.
     [[nodiscard]] const std::optional<Value>& right_answer() const { return right_answer_; }
     [[nodiscard]] const Document& reveal() const { return reveal_; }
@@ -111,18 +114,23 @@ private:
         bool revealed = false;
     };
 
+    using Frame = std::shared_ptr<const trace::Recording>;
+
     void load();
+    Frame record(const SceneChoice& choice);
     void find_stand();
-    void fill_in();
-    void log_answer(Answer answer, Grade grade, bool reveal);
-    [[nodiscard]] SceneChoice scene() const;
-    [[nodiscard]] Evaluator evaluator() const;
+    void fill_in_narration();
+    void fill_in_question();
+    const Grade& log_answer(Answer answer, Grade grade, bool reveal);
+    [[nodiscard]] SceneChoice changed_scene() const;
+    [[nodiscard]] Evaluator evaluator(const SceneChoice& choice, const Frame& frame) const;
     [[nodiscard]] const Answered* answered() const;
 
     std::shared_ptr<const Lesson> lesson_;
     std::size_t index_ = 0;
     std::shared_ptr<RecordingCache> recordings_;
     std::shared_ptr<const trace::Recording> recording_;
+    std::shared_ptr<const trace::Recording> asked_; ///< the frame questions are about: unchanged
     trace::StepId stand_ = 0;
     unsigned revision_ = 0;
     Diagnostics problems_;
@@ -131,8 +139,8 @@ private:
     Document reveal_;
     std::vector<Document> change_prompts_;
     std::optional<Value> right_answer_;
-    std::vector<std::optional<std::size_t>> changes_;
-    std::map<std::size_t, Answered> answers_; ///< by step
+    std::vector<std::optional<std::size_t>> changes_; ///< by change of the current step
+    std::map<std::size_t, Answered> answers_;         ///< by step
     std::vector<LoggedAnswer> log_;
 };
 

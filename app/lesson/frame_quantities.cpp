@@ -1,0 +1,117 @@
+// Counts of the frame, of an object or of a triangle, and what the finished picture holds.
+#include "app/lesson/quantity.hpp"
+#include "core/trace/history.hpp"
+#include "core/trace/player.hpp"
+
+#include <array>
+#include <memory>
+
+namespace hs::lesson {
+
+namespace {
+
+using trace::Counters;
+using trace::Recording;
+
+/// Not owned: the player's interface wants a shared recording, the caller's outlives it.
+Counters counters_at(const Recording& recording, trace::StepId step) {
+    trace::Player player(std::shared_ptr<const Recording>(std::shared_ptr<void>{}, &recording));
+    player.seek(step);
+    return player.counters();
+}
+
+/// How a counter grew over a frame, an object's triangles, or one triangle.
+template <typename Count>
+Result<Value> count(const Recording& recording, const Subject& subject, Count counter) {
+    if (!subject.object && !subject.triangle) {
+        return Value{static_cast<double>(counter(recording.counters))};
+    }
+    const trace::ObjectRange& object = recording.objects[subject.object.value_or(0)];
+    if (object.triangle_count == 0) {
+        return Value{0.0};
+    }
+    const std::uint32_t first = object.first_triangle + subject.triangle.value_or(0);
+    const std::uint32_t last = subject.triangle ? first : first + object.triangle_count - 1;
+    const trace::StepId before = recording.triangles[first].first_step - 1;
+    const trace::StepId after = trace::last_step_of_triangle(recording, last);
+    return Value{
+        static_cast<double>(counter(counters_at(recording, after))) -
+        static_cast<double>(counter(counters_at(recording, before)))};
+}
+
+template <auto member>
+Result<Value> counted(const Recording& recording, const Subject& subject) {
+    return count(recording, subject, [](const Counters& counters) { return counters.*member; });
+}
+
+template <fragment::FragmentFate fate>
+Result<Value> fated(const Recording& recording, const Subject& subject) {
+    return count(recording, subject, [](const Counters& counters) {
+        return counters.fates[static_cast<std::size_t>(fate)];
+    });
+}
+
+Result<Value> vertices(const Recording& recording, const Subject& subject) {
+    return subject.object
+               ? Value{static_cast<double>(recording.objects[*subject.object].vertex_count)}
+               : Value{static_cast<double>(recording.counters.vertices)};
+}
+
+Result<Value> image_width(const Recording& recording, const Subject& /*subject*/) {
+    return Value{static_cast<double>(recording.width())};
+}
+
+Result<Value> image_height(const Recording& recording, const Subject& /*subject*/) {
+    return Value{static_cast<double>(recording.height())};
+}
+
+const trace::PixelRecord& pixel(const Recording& recording, const Subject& subject) {
+    return recording.final_pixels.pixels[recording.pixel_index(*subject.pixel)];
+}
+
+Result<Value> pixel_depth(const Recording& recording, const Subject& subject) {
+    return Value{static_cast<double>(pixel(recording, subject).depth)};
+}
+
+template <int channel>
+Result<Value> pixel_color(const Recording& recording, const Subject& subject) {
+    const glm::vec4 color = trace::pixel_history(recording, *subject.pixel, 1).final_color;
+    return Value{static_cast<double>(color[channel])};
+}
+
+Result<Value> pixel_fragments(const Recording& recording, const Subject& subject) {
+    return Value{static_cast<double>(pixel(recording, subject).complexity)};
+}
+
+Result<Value> pixel_triangle(const Recording& recording, const Subject& subject) {
+    const std::uint32_t owner = pixel(recording, subject).triangle;
+    return Value{owner == trace::no_triangle ? -1.0 : static_cast<double>(owner)};
+}
+
+} // namespace
+
+std::span<const Quantity> frame_quantities() {
+    using enum fragment::FragmentFate;
+    constexpr QuantityOf frame = QuantityOf::frame;
+    constexpr QuantityOf picture = QuantityOf::pixel;
+    static constexpr std::array<Quantity, 15> rows{{
+        {"image width", frame, "pixels from left to right", image_width},
+        {"image height", frame, "pixels from top to bottom", image_height},
+        {"vertices", frame, "vertices that went through the vertex stage", vertices},
+        {"triangles", frame, "triangles that entered clipping", counted<&Counters::triangles>},
+        {"visits", frame, "pixels held against the edges", counted<&Counters::pixels_visited>},
+        {"fragments", frame, "pixels found covered", counted<&Counters::fragments>},
+        {"fragments written", frame, "fragments that changed their pixel", fated<written>},
+        {"fragments failed", frame, "fragments that failed the depth test", fated<depth_failed>},
+        {"pixel depth", picture, "the depth stored when the frame is finished", pixel_depth},
+        {"pixel color.r", picture, "red of the finished picture", pixel_color<0>},
+        {"pixel color.g", picture, "green of the finished picture", pixel_color<1>},
+        {"pixel color.b", picture, "blue of the finished picture", pixel_color<2>},
+        {"pixel color.a", picture, "alpha of the finished picture", pixel_color<3>},
+        {"pixel fragments", picture, "fragments that reached the pixel", pixel_fragments},
+        {"pixel triangle", picture, "the triangle seen there, −1 for none", pixel_triangle},
+    }};
+    return rows;
+}
+
+} // namespace hs::lesson
