@@ -1,0 +1,107 @@
+#include "app/viewer/commands.hpp"
+
+#include "core/base/check.hpp"
+
+#include <array>
+
+namespace hs::viewer {
+namespace {
+
+constexpr KeyPress plain(Key key) {
+    return {.key = key};
+}
+constexpr KeyPress ctrl(Key key) {
+    return {.key = key, .ctrl = true};
+}
+constexpr KeyPress alt(Key key) {
+    return {.key = key, .alt = true};
+}
+
+using enum CommandGroup;
+
+// clang-format off
+constexpr std::array<CommandInfo, command_count> table{{
+    {Command::step_forward,      stepping, "step forward at the chosen granularity", plain(Key::right), Command::step_back},
+    {Command::step_back,         stepping, "step back at the chosen granularity",    plain(Key::left),  Command::step_forward},
+    {Command::operation_forward, stepping, "one operation forward",     plain(Key::period), Command::operation_back},
+    {Command::operation_back,    stepping, "one operation back",        plain(Key::comma),  Command::operation_forward},
+    {Command::triangle_forward,  stepping, "to the next triangle",      ctrl(Key::right),   Command::triangle_back},
+    {Command::triangle_back,     stepping, "to the previous triangle",  ctrl(Key::left),    Command::triangle_forward},
+    {Command::coarser,           stepping, "coarser steps",             plain(Key::up),     Command::finer},
+    {Command::finer,             stepping, "finer steps",               plain(Key::down),   Command::coarser},
+    {Command::go_start,          stepping, "to the cleared framebuffer", plain(Key::home),  Command::go_end},
+    {Command::go_end,            stepping, "to the finished frame",     plain(Key::end),    Command::go_start},
+    {Command::play,              stepping, "play and pause",            plain(Key::space),  {}},
+    {Command::nudge_left,        pixel,    "picked pixel to the left",  alt(Key::left),     {}},
+    {Command::nudge_right,       pixel,    "picked pixel to the right", alt(Key::right),    {}},
+    {Command::nudge_up,          pixel,    "picked pixel up",           alt(Key::up),       {}},
+    {Command::nudge_down,        pixel,    "picked pixel down",         alt(Key::down),     {}},
+    {Command::go_to,             pixel,    "go to a pixel or a step",   ctrl(Key::g),       {}},
+    {Command::fit,               view,     "fit the image to the panel", plain(Key::f),     {}},
+    {Command::zoom_in,           view,     "larger pixels",             plain(Key::plus),   {}},
+    {Command::zoom_out,          view,     "smaller pixels",            plain(Key::minus),  {}},
+    {Command::next_view,         view,     "next screen view",          plain(Key::v),      Command::previous_view},
+    {Command::previous_view,     view,     "previous screen view",      {Key::v, false, true, false}, {}},
+    {Command::toggle_grid,       view,     "pixel grid on and off",     plain(Key::g),      {}},
+    {Command::toggle_numbers,    view,     "numbers on pixels on and off", plain(Key::n),   {}},
+    {Command::toggle_space,      view,     "space view on and off",     ctrl(Key::d),       {}},
+    {Command::lesson_next,       lesson,   "next lesson step",          plain(Key::page_down), Command::lesson_previous},
+    {Command::lesson_previous,   lesson,   "previous lesson step",      plain(Key::page_up),   Command::lesson_next},
+    {Command::open,              program,  "open a scene, mesh or lesson", ctrl(Key::o),    {}},
+    {Command::presentation,      program,  "large type for the lecture hall", plain(Key::p), {}},
+    {Command::theme,             program,  "dark or light",             plain(Key::t),      {}},
+    {Command::keys,              program,  "this list of keys",         plain(Key::question), {}},
+    {Command::close,             program,  "close what is open on top", plain(Key::escape), {}},
+    {Command::quit,              program,  "quit",                      ctrl(Key::q),       {}},
+}};
+// clang-format on
+
+const CommandInfo* find_key(const KeyPress& press) {
+    for (const CommandInfo& info : table) {
+        if (info.key == press) {
+            return &info;
+        }
+    }
+    return nullptr;
+}
+
+} // namespace
+
+std::string_view title(CommandGroup group) {
+    switch (group) {
+    case stepping: return "Stepping";
+    case pixel: return "Picking";
+    case view: return "Views";
+    case lesson: return "Lesson";
+    case program: return "Program";
+    }
+    HS_CHECK(false, "every group has a title");
+    return "";
+}
+
+std::span<const CommandInfo> command_table() {
+    return table;
+}
+
+const CommandInfo& command_info(Command command) {
+    const CommandInfo& info = table[static_cast<std::size_t>(command)];
+    HS_DCHECK(info.command == command, "the table lists commands in order");
+    return info;
+}
+
+std::optional<Command> find_command(const KeyPress& press) {
+    if (const CommandInfo* info = find_key(press)) {
+        return info->command;
+    }
+    if (press.shift) {
+        KeyPress without = press;
+        without.shift = false;
+        const CommandInfo* info = find_key(without);
+        if (info != nullptr && info->reverse) {
+            return info->reverse;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace hs::viewer

@@ -1,0 +1,70 @@
+#include "app/viewer/document.hpp"
+
+#include "core/explain/sentence.hpp"
+
+namespace hs::viewer {
+
+void Document::show(std::shared_ptr<const trace::Recording> recording) {
+    player_ = std::make_unique<trace::Player>(std::move(recording));
+    ++revision_;
+    history_.reset();
+    sentence_step_.reset();
+}
+
+void Document::close() {
+    player_.reset();
+    ++revision_;
+    history_.reset();
+    sentence_step_.reset();
+}
+
+std::optional<std::uint32_t> Document::current_triangle() const {
+    if (!is_open() || !player_->current().in_triangle()) {
+        return std::nullopt;
+    }
+    const trace::Step& step = player_->current();
+    return recording().objects[step.object].first_triangle + step.triangle;
+}
+
+const trace::TriangleDetail* Document::triangle_detail() const {
+    if (!current_triangle()) {
+        return nullptr;
+    }
+    const trace::StepDetail& detail = player_->detail();
+    return detail.triangle ? &*detail.triangle : nullptr;
+}
+
+const trace::PieceDetail* Document::piece_detail() const {
+    const trace::TriangleDetail* triangle = triangle_detail();
+    if (triangle == nullptr || triangle->pieces.empty()) {
+        return nullptr;
+    }
+    const trace::Step& step = player_->current();
+    const auto piece = step.has_piece() ? static_cast<std::size_t>(step.piece) : 0;
+    return &triangle->pieces[piece < triangle->pieces.size() ? piece : 0];
+}
+
+const scene::Settings& Document::settings() const {
+    const trace::Step& step = player_->current();
+    if (step.in_triangle() || step.in_vertex_stage()) {
+        return recording().frame->calls()[step.object].settings;
+    }
+    return recording().settings();
+}
+
+const trace::PixelHistory& Document::history(PixelPos pixel) {
+    if (!history_ || history_->pixel != pixel) {
+        history_ = trace::pixel_history(recording(), pixel);
+    }
+    return *history_;
+}
+
+const std::string& Document::sentence() {
+    if (sentence_step_ != player_->step()) {
+        sentence_ = explain::sentence(*player_);
+        sentence_step_ = player_->step();
+    }
+    return sentence_;
+}
+
+} // namespace hs::viewer

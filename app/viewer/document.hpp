@@ -1,0 +1,53 @@
+// What is open: a recorded frame with a playhead on it, and what is cached about it.
+#pragma once
+
+#include "core/trace/history.hpp"
+#include "core/trace/player.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace hs::viewer {
+
+class Document {
+public:
+    /// Puts the playhead on the end of another recording.
+    void show(std::shared_ptr<const trace::Recording> recording);
+    void close();
+
+    [[nodiscard]] bool is_open() const { return player_ != nullptr; }
+    /// Precondition for all below: is_open().
+    [[nodiscard]] trace::Player& player() { return *player_; }
+    [[nodiscard]] const trace::Player& player() const { return *player_; }
+    [[nodiscard]] const trace::Recording& recording() const { return player_->recording(); }
+    [[nodiscard]] const scene::Scene& scene() const { return recording().scene(); }
+
+    /// Grows with every recording shown, so that caches know when they are stale.
+    [[nodiscard]] unsigned revision() const { return revision_; }
+
+    /// The triangle the current step belongs to, over the whole frame.
+    [[nodiscard]] std::optional<std::uint32_t> current_triangle() const;
+    /// Its reasoning, or null.
+    [[nodiscard]] const trace::TriangleDetail* triangle_detail() const;
+    /// The piece the current step belongs to, or the first; null where there is none.
+    [[nodiscard]] const trace::PieceDetail* piece_detail() const;
+    /// The settings of the current step's object; the frame's outside of objects.
+    [[nodiscard]] const scene::Settings& settings() const;
+
+    /// The whole history of a pixel, kept until another pixel is asked for.
+    const trace::PixelHistory& history(PixelPos pixel);
+
+    /// The sentence about the current step, kept until the playhead moves.
+    const std::string& sentence();
+
+private:
+    std::unique_ptr<trace::Player> player_;
+    unsigned revision_ = 0;
+    std::optional<trace::PixelHistory> history_;
+    std::string sentence_;
+    std::optional<trace::StepId> sentence_step_;
+};
+
+} // namespace hs::viewer

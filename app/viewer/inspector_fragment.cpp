@@ -1,0 +1,263 @@
+// The inspector's tabs for a fragment, for a pixel's history and for the state it ran under.
+#include "app/viewer/formula_view.hpp"
+#include "app/viewer/panels.hpp"
+#include "app/viewer/viewer.hpp"
+#include "app/viewer/widgets.hpp"
+#include "core/explain/formulas.hpp"
+#include "core/explain/numbers.hpp"
+#include "core/explain/sentence.hpp"
+
+#include <fmt/format.h>
+
+namespace hs::viewer {
+namespace {
+
+constexpr float row_pixels = 22.0F;
+
+void swatch(const Theme& theme, const glm::vec4& color) {
+    const float side = ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + side, at.y + side}, framebuffer::pack(color) | IM_COL32_A_MASK);
+    list.AddRect(at, {at.x + side, at.y + side}, theme[Tone::hairline]);
+    ImGui::Dummy({side, side});
+}
+
+void color_row(const Theme& theme, const char* label, const glm::vec4& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::quiet]);
+    ImGui::TextUnformatted(label);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(theme.units(16));
+    swatch(theme, color);
+    ImGui::SameLine();
+    mono(theme, explain::point(color));
+}
+
+void draw_visit(Context& context, const trace::VisitDetail& visit) {
+    const trace::PieceDetail* piece = context.document.piece_detail();
+    const bool here = context.document.player().current().kind == trace::StepKind::edge_test;
+    if (piece != nullptr && piece->setup) {
+        for (const explain::Formula& formula : explain::edge_formulas(*piece->setup, visit)) {
+            draw_formula(context.theme, formula, here);
+        }
+    }
+}
+
+/// Which of a fragment's formulas the current step computed.
+bool is_of_step(const explain::Formula& formula, std::span<const explain::Formula> step) {
+    for (const explain::Formula& lit : step) {
+        if (lit.title == formula.title) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void draw_life(Context& context, const trace::FragmentDetail& fragment) {
+    const Theme& theme = context.theme;
+    const trace::PieceDetail* piece = context.document.piece_detail();
+    const trace::Recording& recording = context.document.recording();
+    const bool written = fragment.fate == fragment::FragmentFate::written;
+    row(theme, "fate", std::string{name_of(fragment.fate)}, written ? Tone::pass : Tone::fail);
+    caption(theme, std::string{named(fragment.fate).explanation} + ".");
+    const trace::PixelBefore before = trace::pixel_before(recording, fragment.index);
+    color_row(theme, "before", before.color);
+    if (fragment.shaded) {
+        color_row(theme, "source", fragment.shaded->color);
+    }
+    color_row(theme, "after", fragment.merge ? fragment.merge->after : before.color);
+    ImGui::Separator();
+    if (piece == nullptr) {
+        return;
+    }
+    const scene::Settings& settings = context.document.settings();
+    const auto of_step = explain::formulas(
+        context.document.player().detail(), context.document.player().current(), settings
+    );
+    for (const explain::Formula& formula : explain::fragment_formulas(fragment, *piece, settings)) {
+        draw_formula(theme, formula, is_of_step(formula, of_step));
+    }
+}
+
+// ---- pixel history
+
+void end_row(Context& context, const char* label, const glm::vec4& color, float depth) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    swatch(context.theme, color);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(label);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(explain::number(depth).c_str());
+    ImGui::TableNextColumn();
+}
+
+std::string comparison(const trace::HistoryRow& row, const scene::Settings& settings) {
+    const std::string_view sign = explain::symbol(settings.depth_test());
+    if (settings.visibility != scene::Visibility::z_buffer || sign.empty()) {
+        return std::string{name_of(row.fate)};
+    }
+    const auto [depth, stored] = explain::compared(row.depth, row.stored_depth);
+    return fmt::format("{} {} {}: {}", depth, sign, stored, name_of(row.fate));
+}
+
+void history_row(Context& context, const trace::HistoryRow& row) {
+    const Theme& theme = context.theme;
+    trace::Player& player = context.document.player();
+    const bool passed = row.fate == fragment::FragmentFate::written;
+    const trace::Step& step = player.current();
+    const bool current = step.in_fragment() && step.fragment == row.fragment;
+    ImGui::TableNextRow();
+    if (current) {
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, theme[Tone::changed]);
+    }
+    ImGui::TableNextColumn();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushID(static_cast<int>(row.fragment));
+    const bool clicked = ImGui::Selectable(
+        "##row", false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick
+    );
+    if (clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        player.seek(trace::last_step_of_fragment(player.recording(), row.fragment));
+    }
+    const scene::Settings& settings =
+        context.document.recording().frame->calls()[row.object].settings;
+    tooltip(fmt::format(
+        "object {} / triangle {}\n{}\ndouble click goes to this step",
+        row.object,
+        row.triangle,
+        comparison(row, settings)
+    ));
+    ImGui::PopID();
+    const float line = ImGui::GetTextLineHeight();
+    draw_mark(
+        *ImGui::GetWindowDrawList(),
+        {at.x + line * 0.5F, at.y + line * 0.5F},
+        theme.pixels(4),
+        passed,
+        theme
+    );
+    ImGui::SameLine();
+    ImGui::SetCursorScreenPos({at.x + line + theme.units(1), at.y});
+    swatch(theme, row.after);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(fmt::format("{}", row.frame_triangle).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(explain::number(row.depth).c_str());
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme[passed ? Tone::pass : Tone::fail]);
+    ImGui::TextUnformatted(name_of(row.fate).data());
+    ImGui::PopStyleColor();
+}
+
+void draw_rows(Context& context, const trace::PixelHistory& history) {
+    const ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
+    const UseFont use{context.theme.fonts.small_mono};
+    if (!ImGui::BeginTable("history", 3, flags)) {
+        return;
+    }
+    ImGui::TableSetupColumn("triangle", 0, 1.1F);
+    ImGui::TableSetupColumn("depth", 0, 0.8F);
+    ImGui::TableSetupColumn("fate", 0, 1.1F);
+    ImGui::TableHeadersRow();
+    end_row(context, "initial", history.initial_color, history.initial_depth);
+    ImGuiListClipper clipper; // a pixel may have thousands of fragments
+    clipper.Begin(static_cast<int>(history.rows.size()), context.theme.pixels(row_pixels));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            history_row(context, history.rows[static_cast<std::size_t>(i)]);
+        }
+    }
+    end_row(context, "final", history.final_color, history.final_depth);
+    ImGui::EndTable();
+}
+
+} // namespace
+
+void draw_fragment_tab(Context& context) {
+    const Theme& theme = context.theme;
+    const trace::StepDetail& detail = context.document.player().detail();
+    if (!detail.visit) {
+        empty_note(
+            theme,
+            "Step to a pixel or a fragment (↓ makes steps finer, → goes on) to see its weights, "
+            "tests and colors."
+        );
+        return;
+    }
+    if (!detail.fragment) {
+        heading(theme, fmt::format("Pixel {}", explain::pixel(detail.visit->pixel)));
+        caption(
+            theme,
+            detail.visit->inside ? "covered: a fragment follows" : "not covered: no fragment here"
+        );
+        draw_visit(context, *detail.visit);
+        return;
+    }
+    heading(theme, fmt::format("Fragment {}", explain::pixel(detail.visit->pixel)));
+    draw_life(context, *detail.fragment);
+    heading(theme, "Coverage");
+    draw_visit(context, *detail.visit);
+}
+
+void draw_history_tab(Context& context) {
+    const Theme& theme = context.theme;
+    const trace::Step& step = context.document.player().current();
+    std::optional<PixelPos> pixel = context.state.selected;
+    if (!pixel && step.has_pixel()) {
+        pixel = step.pixel;
+    }
+    if (!pixel) {
+        empty_note(
+            theme, "Click a pixel in the screen view to see every fragment that ever reached it."
+        );
+        return;
+    }
+    const trace::PixelHistory& history = context.document.history(*pixel);
+    heading(theme, fmt::format("Pixel {}", explain::pixel(*pixel)));
+    caption(
+        theme,
+        fmt::format(
+            "{}, origin top-left; {} fragments in the whole frame",
+            context.state.selected ? "picked" : "visited by this step",
+            history.rows.size() + history.left_out
+        )
+    );
+    if (history.left_out > 0) {
+        caption(theme, fmt::format("{} earlier ones are left out", history.left_out), Tone::fail);
+    }
+    draw_rows(context, history);
+    if (history.rows.empty()) {
+        empty_note(theme, "No triangle covers this pixel's center.");
+    }
+}
+
+void draw_state_tab(Context& context) {
+    const Theme& theme = context.theme;
+    const scene::Settings& settings = context.document.settings();
+    const trace::Recording& recording = context.document.recording();
+    const trace::Step& step = context.document.player().current();
+    heading(
+        theme,
+        step.in_triangle() || step.in_vertex_stage()
+            ? fmt::format("State of object {}", step.object)
+            : std::string{"State of the frame"}
+    );
+    for (const scene::SettingInfo& info : scene::setting_infos()) {
+        const bool own = scene::print_setting(settings, info.key) !=
+                         scene::print_setting(recording.settings(), info.key);
+        row(theme,
+            info.key,
+            scene::read_setting(settings, info.key) ? scene::print_setting(settings, info.key)
+                                                    : std::string{"–"},
+            own ? Tone::accent : Tone::text);
+        tooltip(info.explanation);
+    }
+    heading(theme, "Recording");
+    row(theme, "steps", explain::whole(static_cast<std::int64_t>(recording.end_step)));
+    row(theme, "fragments", explain::whole(static_cast<std::int64_t>(recording.fragments.size())));
+    row(theme, "memory", fmt::format("{:.1f} MB", static_cast<double>(recording.bytes()) / 1.0e6));
+    row(theme, "recorded in", fmt::format("{:.1f} ms", recording.seconds * 1.0e3));
+}
+
+} // namespace hs::viewer

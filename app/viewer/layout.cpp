@@ -1,0 +1,43 @@
+#include "app/viewer/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hs::viewer {
+
+Layout make_layout(ImVec2 window, const Theme& theme, bool show_space) {
+    const float hairline = 1.0F;
+    const auto share = [&](float part, float least, float most) {
+        return std::floor(std::clamp(window.x * part, theme.units(least), theme.units(most)));
+    };
+    Layout l;
+    const float menu_height = theme.units(8);
+    const float strip_height = theme.units(13);
+    const float sentence_height = theme.units(9);
+    const float timeline_height = theme.units(31);
+    l.menu = {0.0F, 0.0F, window.x, menu_height};
+    l.strip = {0.0F, menu_height + hairline, window.x, strip_height};
+    l.timeline = {0.0F, window.y - timeline_height, window.x, timeline_height};
+    l.sentence = {0.0F, l.timeline.y - hairline - sentence_height, window.x, sentence_height};
+
+    // The middle row: what is told, what is seen, what is computed
+    const float top = l.strip.bottom() + hairline;
+    const float height = std::max(0.0F, l.sentence.y - hairline - top);
+    const float left_width = share(0.19F, 60.0F, 84.0F);
+    const float inspector_width = share(0.26F, 86.0F, 108.0F);
+    l.left = {0.0F, top, left_width, height};
+    l.inspector = {window.x - inspector_width, top, inspector_width, height};
+    const float middle_x = left_width + hairline;
+    const float middle_width = std::max(0.0F, l.inspector.x - hairline - middle_x);
+    const float screen_width = show_space ? std::floor(middle_width * 0.56F) : middle_width;
+    l.screen = {middle_x, top, screen_width, height};
+    const float space_x = middle_x + screen_width + hairline;
+    l.space = {
+        space_x,
+        top,
+        show_space ? std::max(0.0F, l.inspector.x - hairline - space_x) : 0.0F,
+        height};
+    return l;
+}
+
+} // namespace hs::viewer

@@ -1,0 +1,35 @@
+// The work behind opening: loading and recording, run beside the window.
+#pragma once
+
+#include "app/viewer/background.hpp"
+#include "app/viewer/state.hpp"
+#include "core/scene/scene_file.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace hs::lesson {
+struct LessonStep;
+}
+
+namespace hs::viewer {
+
+Opened open_job(
+    const std::filesystem::path& file,
+    std::span<const scene::Assignment> assignments,
+    const std::string& at,
+    const Background::Progress& progress
+);
+
+Opened record_job(
+    std::shared_ptr<const scene::Scene> scene,
+    const std::string& at,
+    const Background::Progress& progress
+);
+
+/// Brings the views and panels a lesson's step asks for to the front.
+void apply_lesson_views(const lesson::LessonStep& step, State& state);
+
+} // namespace hs::viewer

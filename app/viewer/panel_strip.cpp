@@ -1,0 +1,163 @@
+// The pipeline strip: every stage with what went in and came out up to the playhead.
+#include "app/viewer/panels.hpp"
+#include "app/viewer/viewer.hpp"
+#include "app/viewer/widgets.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+namespace hs::viewer {
+namespace {
+
+/// What a stage took in and gave out, and what is counted.
+struct Flow {
+    std::uint64_t in = 0;
+    std::uint64_t out = 0;
+    const char* unit_in = "";
+    const char* unit_out = "";
+};
+
+/// At most five characters, so that every stage has room: 99 999, then 100k, 12.3M.
+std::string compact(std::uint64_t n) {
+    constexpr std::uint64_t exact_up_to = 99999;
+    if (n <= exact_up_to) {
+        return fmt::format("{}", n);
+    }
+    const auto value = static_cast<double>(n);
+    if (n < 1'000'000) {
+        return fmt::format("{:.0f}k", value / 1.0e3);
+    }
+    if (n < 1'000'000'000) {
+        return fmt::format("{:.1f}M", value / 1.0e6);
+    }
+    return fmt::format("{:.1f}G", value / 1.0e9);
+}
+
+Flow flow_of(trace::Stage stage, const trace::Counters& c, const trace::Recording& recording) {
+    using trace::Stage;
+    std::uint64_t vertices = 0;
+    for (const trace::ObjectRange& object : recording.objects) {
+        vertices += object.vertex_count;
+    }
+    switch (stage) {
+    case Stage::application: return {recording.objects.size(), vertices, "objects", "vertices"};
+    case Stage::vertex: return {vertices, c.vertices, "vertices waiting", "vertices in clip space"};
+    case Stage::clip: return {c.triangles, c.pieces, "triangles", "triangles after clipping"};
+    case Stage::divide: return {c.pieces, c.pieces, "triangles", "triangles divided by w"};
+    case Stage::viewport:
+        return {c.pieces, c.pieces_mapped, "triangles", "triangles in the window"};
+    case Stage::cull: return {c.pieces_faced, c.pieces_set_up, "triangles", "triangles kept"};
+    case Stage::setup: return {c.pieces_set_up, c.pieces_set_up, "triangles", "triangles set up"};
+    case Stage::traverse: return {c.pixels_visited, c.fragments, "pixels asked", "fragments"};
+    case Stage::shade: return {c.fragments, c.fragments_shaded, "fragments", "fragments shaded"};
+    case Stage::test:
+        return {c.fragments_tested, c.fates[0], "fragments tested", "fragments passed"};
+    case Stage::merge: return {c.fates[0], c.fates[0], "fragments", "pixels written"};
+    }
+    HS_CHECK(false, "every stage has a flow");
+    return {};
+}
+
+struct Cell {
+    trace::Stage stage = trace::Stage::application;
+    Rect rect;
+    bool lit = false;
+    std::string counts;
+    std::string tip;
+};
+
+void draw_cell(Context& context, const Cell& cell) {
+    const Theme& theme = context.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 min{cell.rect.x, cell.rect.y};
+    const ImVec2 max{cell.rect.right(), cell.rect.bottom()};
+    const bool hovered = ImGui::IsItemHovered();
+    const ImU32 hue = theme.stage(cell.stage);
+    if (cell.lit || hovered) {
+        list.AddRectFilled(min, max, theme[hovered ? Tone::hovered : Tone::raised]);
+    }
+    const float bar = theme.pixels(cell.lit ? 4 : 2);
+    list.AddRectFilled({min.x, max.y - bar}, {max.x - theme.pixels(1), max.y}, hue);
+    const float x = min.x + theme.units(2);
+    const float room = cell.rect.width - theme.units(3);
+    const std::string name = shorten(theme.fonts.text, name_of(cell.stage), room);
+    draw_text(
+        list,
+        theme.fonts.text,
+        {x, min.y + theme.units(1)},
+        cell.lit ? hue : theme[Tone::text],
+        name
+    );
+    draw_text(
+        list,
+        theme.fonts.small_mono,
+        {x, min.y + theme.units(6)},
+        theme[Tone::quiet],
+        shorten(theme.fonts.small_mono, cell.counts, room)
+    );
+}
+
+/// Forward first, then backward: a click always goes to the stage if the frame has it.
+void go_to_stage(Context& context, trace::Stage stage) {
+    trace::Player& player = context.document.player();
+    if (stage == trace::Stage::application) {
+        player.seek(0);
+        return;
+    }
+    std::optional<trace::StepId> found = player.find_stage(stage, trace::Direction::forward);
+    if (!found) {
+        found = player.find_stage(stage, trace::Direction::backward);
+    }
+    if (found) {
+        player.seek(*found);
+    } else {
+        context.state.notice =
+            fmt::format("No triangle of this frame gets to stage {}.", name_of(stage));
+    }
+}
+
+} // namespace
+
+void draw_strip(Context& context, const Rect& rect) {
+    const Theme& theme = context.theme;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    begin_panel("strip", rect, theme, false);
+    ImGui::PopStyleVar();
+    const bool open = context.document.is_open();
+    const trace::Counters counters =
+        open ? context.document.player().counters() : trace::Counters{};
+    const float width = rect.width / static_cast<float>(trace::stage_count);
+    for (int i = 0; i < trace::stage_count; ++i) {
+        const auto stage = static_cast<trace::Stage>(i);
+        Cell cell{.stage = stage, .rect = {}, .lit = false, .counts = "–", .tip = ""};
+        const float x0 = static_cast<float>(static_cast<int>(width * static_cast<float>(i)));
+        const float x1 = static_cast<float>(static_cast<int>(width * static_cast<float>(i + 1)));
+        cell.rect = {rect.x + x0, rect.y, x1 - x0, rect.height};
+        cell.tip = std::string{named(stage).explanation} + ".";
+        if (open) {
+            const Flow flow = flow_of(stage, counters, context.document.recording());
+            cell.lit = trace::stage_of(context.document.player().current().kind) == stage;
+            cell.counts = compact(flow.in) + " → " + compact(flow.out);
+            cell.tip += fmt::format(
+                "\n{} {} → {} {}, up to this step.\nClick to go there.",
+                flow.in,
+                flow.unit_in,
+                flow.out,
+                flow.unit_out
+            );
+        }
+        ImGui::SetCursorScreenPos({cell.rect.x, cell.rect.y});
+        ImGui::PushID(i);
+        if (ImGui::InvisibleButton("stage", {cell.rect.width, cell.rect.height}) && open) {
+            go_to_stage(context, stage);
+        }
+        tooltip(cell.tip);
+        draw_cell(context, cell);
+        ImGui::PopID();
+    }
+    end_panel();
+}
+
+} // namespace hs::viewer

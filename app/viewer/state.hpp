@@ -1,0 +1,137 @@
+// What the window shows and where it stands, in plain structs: panels read and write them, tests
+// assert on them.
+#pragma once
+
+#include "app/viewer/theme.hpp"
+#include "core/base/diagnostic.hpp"
+#include "core/base/named.hpp"
+#include "core/base/pixel.hpp"
+#include "core/trace/step.hpp"
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hs::viewer {
+
+/// What the screen view shows of every pixel.
+enum class ScreenContent : std::uint8_t {
+    color,
+    depth,
+    triangle,
+    overdraw,
+    complexity,
+    edge0,
+    edge1,
+    edge2,
+    barycentric
+};
+inline constexpr int screen_content_count = 9;
+
+/// Views that follow from the current triangle alone, not from the framebuffer.
+[[nodiscard]] inline bool is_of_triangle(ScreenContent content) {
+    return content >= ScreenContent::edge0;
+}
+
+enum class Space : std::uint8_t {
+    object,
+    world,
+    eye,
+    clip,
+    ndc
+};
+inline constexpr int space_count = 5;
+
+enum class InspectorTab : std::uint8_t {
+    vertex,
+    triangle,
+    fragment,
+    history,
+    state
+};
+inline constexpr int inspector_tab_count = 5;
+
+enum class LeftTab : std::uint8_t {
+    lesson,
+    scene
+};
+
+/// A rectangle of the window, in window pixels.
+struct Rect {
+    float x = 0.0F;
+    float y = 0.0F;
+    float width = 0.0F;
+    float height = 0.0F;
+
+    [[nodiscard]] float right() const { return x + width; }
+    [[nodiscard]] float bottom() const { return y + height; }
+    [[nodiscard]] bool contains(ImVec2 p) const {
+        return p.x >= x && p.x < right() && p.y >= y && p.y < bottom();
+    }
+};
+
+struct ScreenView {
+    ScreenContent content = ScreenContent::color;
+    bool fitted = true; ///< follows the panel's size until zoomed or panned
+    float zoom = 1.0F;  ///< window pixels per image pixel
+    ImVec2 center;      ///< the image position in the panel's middle
+    bool show_grid = true;
+    bool show_outline = true;
+    bool show_numbers = true;
+    Rect area; ///< where the last frame drew
+};
+
+struct SpaceView {
+    Space space = Space::world;
+    float yaw = 0.6F;      ///< radians
+    float pitch = 0.35F;   ///< radians
+    float distance = 1.0F; ///< 1 shows everything
+    Rect area;
+};
+
+enum class Prompt : std::uint8_t {
+    none,
+    open_file,
+    go_to
+};
+
+struct State {
+    trace::Granularity granularity = trace::Granularity::triangle;
+    std::optional<PixelPos> selected; ///< the picked pixel
+    std::optional<PixelPos> hovered;
+    ScreenView screen;
+    SpaceView space;
+    InspectorTab tab = InspectorTab::triangle;
+    int corner = 0; ///< which vertex of the triangle the vertex tab shows
+    LeftTab left = LeftTab::scene;
+    bool show_space = true;
+    ThemeKind theme = ThemeKind::dark;
+    float presentation = 1.0F; ///< factor on all type and spacing
+    bool show_keys = false;
+    Prompt prompt = Prompt::none;
+    bool prompt_appeared = false; ///< its field has the keyboard
+    std::string prompt_text;
+    std::string prompt_error;
+    bool playing = false;
+    float play_rate = 4.0F; ///< steps a second
+    double since_played = 0.0;
+    Diagnostics problems; ///< shown until dismissed
+    std::string notice;   ///< one sentence about what could not be done
+    std::vector<std::filesystem::path> recent;
+    bool quit = false;
+};
+
+} // namespace hs::viewer
+
+namespace hs {
+template <>
+std::span<const Named<viewer::ScreenContent>> names<viewer::ScreenContent>();
+template <>
+std::span<const Named<viewer::Space>> names<viewer::Space>();
+template <>
+std::span<const Named<viewer::InspectorTab>> names<viewer::InspectorTab>();
+} // namespace hs

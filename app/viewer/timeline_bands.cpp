@@ -1,0 +1,103 @@
+#include "app/viewer/timeline_bands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hs::viewer {
+namespace {
+
+/// A long triangle is asked at this many places only.
+constexpr trace::StepId most_asked = 192;
+/// More objects than this are narrower than a pixel each.
+constexpr std::size_t most_objects = 1000;
+
+} // namespace
+
+void TimelineBands::gather_frame(const trace::Recording& recording) {
+    frame_.clear();
+    const std::size_t count = recording.objects.size();
+    const std::size_t stride = count / most_objects + 1;
+    for (std::size_t i = 0; i < count; i += stride) {
+        const trace::ObjectRange& object = recording.objects[i];
+        if (object.vertex_count > 0) {
+            const auto steps = trace::StepId{object.vertex_count} *
+                               static_cast<trace::StepId>(object.steps_per_vertex);
+            frame_.push_back(
+                {object.first_vertex_step,
+                 object.first_vertex_step + steps - 1,
+                 trace::Stage::vertex,
+                 fmt::format("vertices of object {}", i)}
+            );
+        }
+        if (object.triangle_count > 0) {
+            const std::uint32_t last = object.first_triangle + object.triangle_count - 1;
+            frame_.push_back(
+                {recording.triangles[object.first_triangle].first_step,
+                 trace::last_step_of_triangle(recording, last),
+                 trace::Stage::traverse,
+                 fmt::format("triangles of object {}", i)}
+            );
+        }
+    }
+}
+
+void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t triangle) {
+    unit_.clear();
+    unit_range_.first = recording.triangles[triangle].first_step;
+    unit_range_.last = trace::last_step_of_triangle(recording, triangle);
+    unit_range_.label = fmt::format("triangle {}", triangle);
+    const trace::StepId count = unit_range_.last - unit_range_.first + 1;
+    const trace::StepId stride = (count + most_asked - 1) / most_asked;
+    for (trace::StepId id = unit_range_.first; id <= unit_range_.last; id += stride) {
+        const trace::Stage stage = trace::stage_of(trace::describe_step(recording, id).kind);
+        const trace::StepId last = std::min(unit_range_.last, id + stride - 1);
+        if (!unit_.empty() && unit_.back().stage == stage) {
+            unit_.back().last = last;
+        } else {
+            unit_.push_back({id, last, stage, std::string{name_of(stage)}});
+        }
+    }
+}
+
+/// Exact steps cost a short re-run each, so that long histories are marked by their triangles.
+void TimelineBands::gather_marks(Document& document) {
+    constexpr std::size_t most_exact = 24;
+    marks_.clear();
+    if (!selected_) {
+        return;
+    }
+    const trace::PixelHistory& history = document.history(*selected_);
+    const bool exact = history.rows.size() <= most_exact;
+    for (const trace::HistoryRow& row : history.rows) {
+        marks_.push_back(
+            {exact ? trace::last_step_of_fragment(document.recording(), row.fragment)
+                   : row.triangle_step,
+             row.fate == fragment::FragmentFate::written}
+        );
+    }
+}
+
+void TimelineBands::update(Document& document, const std::optional<PixelPos>& selected) {
+    const bool other = document_ != document.revision();
+    if (other || selected_ != selected) {
+        selected_ = selected;
+        gather_marks(document);
+    }
+    if (other) {
+        document_ = document.revision();
+        triangle_.reset();
+        unit_.clear();
+        gather_frame(document.recording());
+    }
+    const std::optional<std::uint32_t> triangle = document.current_triangle();
+    if (triangle && triangle_ != triangle) {
+        triangle_ = triangle;
+        gather_unit(document.recording(), *triangle);
+    } else if (!triangle) {
+        triangle_.reset();
+        unit_.clear();
+    }
+}
+
+} // namespace hs::viewer

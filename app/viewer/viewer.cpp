@@ -1,0 +1,272 @@
+#include "app/viewer/viewer.hpp"
+
+#include "app/lesson/session.hpp"
+#include "app/viewer/lesson_form.hpp"
+#include "app/viewer/open_job.hpp"
+#include "app/viewer/panels.hpp"
+#include "app/viewer/screen_picture.hpp"
+#include "app/viewer/space_lines.hpp"
+#include "app/viewer/timeline_bands.hpp"
+#include "app/viewer/widgets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace hs::viewer {
+namespace {
+
+/// "31,17" or "31 17"; nothing for any other text.
+std::optional<PixelPos> parse_pixel(std::string_view text) {
+    PixelPos pixel;
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pixel.x);
+    if (x.ec != std::errc{} || x.ptr == end) {
+        return std::nullopt;
+    }
+    const char* rest = x.ptr;
+    while (rest != end && (*rest == ',' || *rest == ' ')) {
+        ++rest;
+    }
+    const auto y = std::from_chars(rest, end, pixel.y);
+    if (rest == x.ptr || y.ec != std::errc{} || y.ptr != end) {
+        return std::nullopt;
+    }
+    return pixel;
+}
+
+} // namespace
+
+Viewer::Viewer()
+    : lesson_form_(std::make_unique<LessonForm>()),
+      picture_(std::make_unique<ScreenPicture>()),
+      lines_(std::make_unique<SpaceLines>()),
+      bands_(std::make_unique<TimelineBands>()) {}
+
+Viewer::~Viewer() = default;
+
+// ---- what is shown
+
+void Viewer::open(const std::filesystem::path& file, const OpenOptions& options) {
+    background_.start(
+        fmt::format("Opening {}", file.filename().string()),
+        [file, options](const Background::Progress& progress) {
+            return open_job(file, options.assignments, options.at, progress);
+        }
+    );
+}
+
+void Viewer::set_recording(std::shared_ptr<const trace::Recording> recording) {
+    document_.show(std::move(recording));
+    const PixelRect image = document_.recording().settings().image();
+    if (state_.selected && !image.contains(*state_.selected)) {
+        state_.selected.reset();
+    }
+    state_.hovered.reset();
+    state_.playing = false;
+    state_.notice.clear();
+}
+
+void Viewer::seek(trace::StepId step) {
+    if (document_.is_open()) {
+        document_.player().seek(step);
+    }
+}
+
+std::optional<std::string> Viewer::go_to(std::string_view path) {
+    if (!document_.is_open()) {
+        return "nothing is open yet";
+    }
+    if (const std::optional<PixelPos> pixel = parse_pixel(path)) {
+        const PixelRect image = document_.recording().settings().image();
+        if (!image.contains(*pixel)) {
+            return fmt::format(
+                "pixel {},{} lies outside the image of {} × {} pixels",
+                pixel->x,
+                pixel->y,
+                image.width(),
+                image.height()
+            );
+        }
+        select(*pixel);
+        return std::nullopt;
+    }
+    const Result<trace::StepId> step = trace::find_step(document_.recording(), path);
+    if (!step) {
+        return step.diagnostics().front().message;
+    }
+    seek(*step);
+    return std::nullopt;
+}
+
+std::optional<std::string> Viewer::change_settings(const scene::Settings& settings) {
+    if (const std::optional<std::string> complaint = scene::check_combination(settings)) {
+        return complaint;
+    }
+    auto changed = std::make_shared<scene::Scene>(document_.scene());
+    changed->settings = settings;
+    const std::string at = trace::step_path(document_.player().current());
+    background_.start("Recording", [changed, at](const Background::Progress& progress) {
+        return record_job(changed, at, progress);
+    });
+    return std::nullopt;
+}
+
+void Viewer::select(PixelPos pixel) {
+    state_.selected = pixel;
+}
+
+void Viewer::go_to_lesson_step(std::size_t step) {
+    session_->go_to(step);
+    follow_lesson();
+}
+
+/// Shows what the lesson's step shows, when it has changed.
+void Viewer::follow_lesson() {
+    if (session_ == nullptr || session_->revision() == lesson_revision_) {
+        return;
+    }
+    lesson_revision_ = session_->revision();
+    lesson_form_->follow(session_->index());
+    state_.problems = session_->problems();
+    if (session_->recording() == nullptr) {
+        return;
+    }
+    if (!document_.is_open() || document_.player().shared_recording() != session_->recording()) {
+        set_recording(session_->recording());
+        state_.screen.fitted = true;
+    }
+    seek(session_->stand());
+    apply_lesson_views(session_->step(), state_);
+}
+
+void Viewer::receive(Opened opened) {
+    if (opened.cancelled) {
+        state_.notice = "Stopped.";
+        return;
+    }
+    if (!opened.problems.empty()) {
+        state_.problems = std::move(opened.problems);
+        return;
+    }
+    state_.problems.clear();
+    if (opened.session != nullptr) {
+        session_ = std::move(opened.session);
+        lesson_revision_ = session_->revision() - 1;
+        state_.left = LeftTab::lesson;
+        follow_lesson();
+    } else {
+        set_recording(std::move(opened.recording));
+        if (!opened.file.empty()) {
+            session_.reset();
+            state_.left = LeftTab::scene;
+            state_.screen.fitted = true;
+        }
+        if (const auto complaint = opened.at.empty() ? std::nullopt : go_to(opened.at)) {
+            state_.notice = "Stands at the end: " + *complaint + ".";
+        }
+    }
+    if (!opened.file.empty()) {
+        remember(opened.file);
+    }
+}
+
+void Viewer::remember(const std::filesystem::path& file) {
+    constexpr std::size_t most = 8;
+    std::erase(state_.recent, file);
+    state_.recent.insert(state_.recent.begin(), file);
+    state_.recent.resize(std::min(most, state_.recent.size()));
+}
+
+void Viewer::finish_background_work() {
+    background_.wait();
+    if (std::optional<Opened> opened = background_.take()) {
+        receive(std::move(*opened));
+    }
+}
+
+std::string Viewer::title() const {
+    if (!document_.is_open()) {
+        return "Halfspace";
+    }
+    return fmt::format("{} — Halfspace", document_.scene().name);
+}
+
+// ---- frames
+
+bool Viewer::prepare_fonts(float display_scale) {
+    theme_.kind = state_.theme;
+    theme_.scale = display_scale * state_.presentation;
+    if (theme_.scale == fonts_scale_) {
+        return false;
+    }
+    theme_.fonts = load_fonts(*ImGui::GetIO().Fonts, theme_.scale);
+    fonts_scale_ = theme_.scale;
+    return true;
+}
+
+void Viewer::play(double seconds) {
+    if (!state_.playing || !document_.is_open()) {
+        return;
+    }
+    state_.since_played += seconds;
+    if (state_.since_played * static_cast<double>(state_.play_rate) < 1.0) {
+        return;
+    }
+    state_.since_played = 0.0;
+    state_.playing = document_.player().advance(state_.granularity, trace::Direction::forward);
+}
+
+void Viewer::draw(ImVec2 size, Textures& textures) {
+    if (std::optional<Opened> opened = background_.take()) {
+        receive(std::move(*opened));
+    }
+    follow_lesson();
+    play(static_cast<double>(ImGui::GetIO().DeltaTime));
+    theme_.kind = state_.theme;
+    apply_style(theme_);
+    layout_ = make_layout(size, theme_, state_.show_space);
+
+    ImGui::SetNextWindowPos({0.0F, 0.0F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme_[Tone::hairline]);
+    ImGui::Begin(
+        "halfspace",
+        nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse
+    );
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::PushFont(theme_.fonts.text);
+
+    Context context{*this, document_, state_, theme_, textures};
+    draw_menu(context, layout_.menu);
+    draw_strip(context, layout_.strip);
+    draw_left(context, layout_.left);
+    draw_screen(context, layout_.screen, *picture_);
+    if (state_.show_space) {
+        draw_space(context, layout_.space, *lines_);
+    }
+    draw_inspector(context, layout_.inspector);
+    draw_sentence(context, layout_.sentence);
+    draw_timeline(context, layout_.timeline, *bands_);
+    draw_popups(context, size);
+
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+ImVec2 Viewer::screen_position(PixelPos pixel) const {
+    const ScreenView& view = state_.screen;
+    const float middle_x = view.area.x + view.area.width * 0.5F;
+    const float middle_y = view.area.y + view.area.height * 0.5F;
+    return {
+        middle_x + (static_cast<float>(pixel.x) + 0.5F - view.center.x) * view.zoom,
+        middle_y + (static_cast<float>(pixel.y) + 0.5F - view.center.y) * view.zoom};
+}
+
+} // namespace hs::viewer

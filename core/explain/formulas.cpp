@@ -1,0 +1,502 @@
+#include "core/explain/formulas.hpp"
+
+#include "core/explain/numbers.hpp"
+#include "core/explain/sentence.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace hs::explain {
+namespace {
+
+using trace::StepKind;
+
+constexpr std::array<const char*, 3> edge_names{"E01", "E12", "E20"};
+
+// ---- vertex stage
+
+/// One line per row of the matrix: "x = 0.5000 · 1.0000 + … ".
+std::string rows(const glm::mat4& m, const glm::vec4& v) {
+    constexpr std::string_view axes = "xyzw";
+    std::string text;
+    for (int r = 0; r < 4; ++r) {
+        text += fmt::format(
+            "{}{} = {}·{} + {}·{} + {}·{} + {}·{}",
+            r == 0 ? "" : "\n",
+            axes[static_cast<std::size_t>(r)],
+            number(m[0][r]),
+            number(v.x),
+            number(m[1][r]),
+            number(v.y),
+            number(m[2][r]),
+            number(v.z),
+            number(m[3][r]),
+            number(v.w)
+        );
+    }
+    return text;
+}
+
+template <typename From, typename To>
+Formula transform_formula(
+    const char* title,
+    const char* symbolic,
+    const math::Transform<From, To>& transform,
+    const math::Position<From>& from,
+    const math::Position<To>& to
+) {
+    return {title, symbolic, rows(transform.matrix, math::to_vec4(from)), point(math::to_vec4(to))};
+}
+
+Formula lighting_formula(const shading::LightingTerms& terms) {
+    const auto rgb = [](const glm::vec3& c) { return point(c.r, c.g, c.b); };
+    return {
+        "Blinn–Phong lighting",
+        "color = ambient + Σ diffuse·max(n·l, 0) + specular·max(n·h, 0)^s",
+        fmt::format("{} + {}\n+ {}", rgb(terms.ambient), rgb(terms.diffuse), rgb(terms.specular)),
+        point(terms.color)};
+}
+
+Formula divide_formula(const math::ClipPosition& clip, const geometry::WindowVertex& v) {
+    return {
+        "perspective divide",
+        "p_ndc = p_clip · (1/w)",
+        fmt::format(
+            "1/w = 1 / {} = {}\nx = {}·{}\ny = {}·{}\nz = {}·{}",
+            number(clip.w),
+            number(v.inv_w),
+            number(clip.x),
+            number(v.inv_w),
+            number(clip.y),
+            number(v.inv_w),
+            number(clip.z),
+            number(v.inv_w)
+        ),
+        point(v.ndc.x, v.ndc.y, v.ndc.z)};
+}
+
+Formula inv_w_formula(int vertex, const geometry::WindowVertex& v) {
+    return {
+        fmt::format("divide vertex {} by w", vertex),
+        "p_ndc = p_clip · (1/w)",
+        fmt::format("1/w = {}", number(v.inv_w)),
+        point(v.ndc.x, v.ndc.y, v.ndc.z)};
+}
+
+Formula snap_formula(int vertex, const geometry::WindowVertex& v) {
+    return {
+        fmt::format("vertex {} in the window", vertex),
+        "x = c_x + (W/2)·x_ndc,  y = c_y − (H/2)·y_ndc, snapped to 1/256 px",
+        fmt::format(
+            "x_ndc = {}, y_ndc = {}\nx = {} → {}\ny = {} → {}",
+            number(v.ndc.x),
+            number(v.ndc.y),
+            number(v.window.x),
+            number(to_pixels(v.fixed.x)),
+            number(v.window.y),
+            number(to_pixels(v.fixed.y))
+        ),
+        fmt::format(
+            "({}, {}) depth {}",
+            number(to_pixels(v.fixed.x)),
+            number(to_pixels(v.fixed.y)),
+            number(v.window.depth)
+        )};
+}
+
+// ---- clip
+
+std::string plane_inequality(geometry::ClipPlane plane, scene::DepthConvention convention) {
+    const bool zero_to_one = convention != scene::DepthConvention::opengl;
+    const bool reversed = convention == scene::DepthConvention::reversed;
+    switch (plane) {
+    case geometry::ClipPlane::near: return reversed ? "w − z" : zero_to_one ? "z" : "w + z";
+    case geometry::ClipPlane::far: return reversed ? "z" : "w − z";
+    case geometry::ClipPlane::left: return "w + x";
+    case geometry::ClipPlane::right: return "w − x";
+    case geometry::ClipPlane::bottom: return "w + y";
+    case geometry::ClipPlane::top: return "w − y";
+    case geometry::ClipPlane::user0:
+    case geometry::ClipPlane::user1: return "a·x + b·y + c·z + d";
+    }
+    HS_CHECK(false, "every clip plane is handled");
+    return "";
+}
+
+std::vector<Formula>
+outcode_formulas(const trace::TriangleDetail& triangle, const scene::Settings& settings) {
+    const geometry::ClipVolume volume =
+        geometry::clip_volume(settings, triangle.corners[0].transforms.projection.matrix);
+    std::vector<Formula> list;
+    for (int k = 0; k < volume.count; ++k) {
+        const auto plane = static_cast<geometry::ClipPlane>(k);
+        std::array<float, 3> d{};
+        int outside = 0;
+        for (unsigned corner = 0; corner < 3; ++corner) {
+            d[corner] = math::signed_distance(
+                volume.planes[static_cast<unsigned>(k)],
+                math::to_vec4(triangle.corners[corner].work.clip)
+            );
+            outside += math::inside(d[corner]) ? 0 : 1;
+        }
+        list.push_back(
+            {fmt::format("distance to plane {}", name_of(plane)),
+             fmt::format(
+                 "d = {}, inside iff d ≥ 0", plane_inequality(plane, settings.depth_convention)
+             ),
+             fmt::format("v0 {}\nv1 {}\nv2 {}", number(d[0]), number(d[1]), number(d[2])),
+             outside == 0   ? "all inside"
+             : outside == 3 ? "all outside"
+                            : fmt::format("{} of 3 outside", outside)}
+        );
+    }
+    return list;
+}
+
+std::vector<Formula> clip_formulas(
+    const trace::TriangleDetail& triangle,
+    geometry::ClipPlane plane,
+    const scene::Settings& settings
+) {
+    const geometry::ClipVolume volume =
+        geometry::clip_volume(settings, triangle.corners[0].transforms.projection.matrix);
+    const math::HalfSpace& half_space = volume.planes[static_cast<std::size_t>(plane)];
+    std::vector<Formula> list;
+    for (const trace::ClipPass& pass : triangle.passes) {
+        if (pass.plane != plane) {
+            continue;
+        }
+        for (int i = 0; i < pass.before.count; ++i) {
+            const int j = (i + 1) % pass.before.count;
+            const auto distance = [&](int k) {
+                return math::signed_distance(half_space, math::to_vec4(pass.before[k].position));
+            };
+            const bool i_inside = math::inside(distance(i));
+            if (i_inside == math::inside(distance(j))) {
+                continue;
+            }
+            const int in = i_inside ? i : j;
+            const int out = i_inside ? j : i;
+            const geometry::ClipVertex made = geometry::intersect_edge(
+                pass.before[in], distance(in), pass.before[out], distance(out)
+            );
+            list.push_back(
+                {fmt::format("edge {}–{} meets plane {}", i, j, name_of(plane)),
+                 "t = d_in / (d_in − d_out),  p = p_in + t·(p_out − p_in)",
+                 fmt::format(
+                     "t = {} / ({} − {}) = {}",
+                     number(distance(in)),
+                     number(distance(in)),
+                     number(distance(out)),
+                     number(distance(in) / (distance(in) - distance(out)))
+                 ),
+                 point(math::to_vec4(made.position))}
+            );
+        }
+    }
+    return list;
+}
+
+// ---- cull and setup
+
+Formula facing_formula(const trace::PieceDetail& piece) {
+    const auto& v = piece.window;
+    return {
+        "twice the signed area",
+        "2A = (x2 − x0)·(y1 − y0) − (y2 − y0)·(x1 − x0), in 1/256 px",
+        fmt::format(
+            "({} − {})·({} − {})\n− ({} − {})·({} − {})",
+            v[2].fixed.x,
+            v[0].fixed.x,
+            v[1].fixed.y,
+            v[0].fixed.y,
+            v[2].fixed.y,
+            v[0].fixed.y,
+            v[1].fixed.x,
+            v[0].fixed.x
+        ),
+        fmt::format(
+            "{}: {}",
+            whole(piece.signed_doubled_area),
+            piece.signed_doubled_area > 0   ? "counterclockwise"
+            : piece.signed_doubled_area < 0 ? "clockwise"
+                                            : "no area"
+        )};
+}
+
+std::vector<Formula> setup_formulas(const raster::TriangleSetup& setup) {
+    std::vector<Formula> list;
+    for (unsigned k = 0; k < 3; ++k) {
+        const raster::EdgeFunction& e = setup.edges[k];
+        list.push_back(
+            {fmt::format("edge function {}", edge_names[k]),
+             "E(x, y) = a·x + b·y + c, x and y in 1/256 px",
+             fmt::format("a = {}, b = {}\nc = {}", whole(e.a), whole(e.b), whole(e.c)),
+             e.owns_ties() ? "top or left edge: owns pixel centers on it"
+                           : "neither top nor left: leaves them to its neighbor"}
+        );
+    }
+    return list;
+}
+
+// ---- fragment
+
+Formula weights_formula(const trace::FragmentDetail& fragment, const raster::TriangleSetup& setup) {
+    const raster::EdgeValues e = setup.evaluate(fragment.fragment.pixel);
+    const auto& weights = fragment.fragment.barycentric;
+    return {
+        "barycentric weights in the window",
+        "λ1 = E20 / 2A,  λ2 = E01 / 2A,  λ0 = 1 − λ1 − λ2",
+        fmt::format(
+            "λ1 = {} / {}\nλ2 = {} / {}",
+            whole(e[2]),
+            whole(setup.doubled_area),
+            whole(e[0]),
+            whole(setup.doubled_area)
+        ),
+        point(weights[0], weights[1], weights[2])};
+}
+
+Formula depth_formula(const trace::FragmentDetail& fragment, const trace::PieceDetail& piece) {
+    const auto& weights = fragment.fragment.barycentric;
+    const auto& v = piece.window;
+    return {
+        "depth, linear in the window",
+        "z = z0 + λ1·(z1 − z0) + λ2·(z2 − z0)",
+        fmt::format(
+            "{} + {}·({} − {})\n+ {}·({} − {})",
+            number(v[0].window.depth),
+            number(weights[1]),
+            number(v[1].window.depth),
+            number(v[0].window.depth),
+            number(weights[2]),
+            number(v[2].window.depth),
+            number(v[0].window.depth)
+        ),
+        number(fragment.fragment.depth)};
+}
+
+Formula
+perspective_formula(const trace::FragmentDetail& fragment, const trace::PieceDetail& piece) {
+    const auto& weights = fragment.fragment.barycentric;
+    const auto& corrected = fragment.fragment.barycentric_clip;
+    const auto& v = piece.window;
+    return {
+        "weights corrected for perspective",
+        "b_i = λ_i·(1/w_i) / Σ λ_j·(1/w_j)",
+        fmt::format(
+            "1/w = {}, {}, {}\nλ = {}",
+            number(v[0].inv_w),
+            number(v[1].inv_w),
+            number(v[2].inv_w),
+            point(weights[0], weights[1], weights[2])
+        ),
+        point(corrected[0], corrected[1], corrected[2])};
+}
+
+Formula test_formula(const pipeline::DepthTest& test) {
+    const auto [depth, stored] = compared(test.depth, test.stored);
+    const std::string_view sign = symbol(test.op);
+    return {
+        fmt::format("depth test: {}", name_of(test.op)),
+        sign.empty() ? std::string{name_of(test.op)} : fmt::format("z {} stored", sign),
+        fmt::format("{} {} {}", depth, sign.empty() ? name_of(test.op) : sign, stored),
+        test.passed ? "true: passes" : "false: fails"};
+}
+
+Formula merge_formula(const pipeline::Merge& merge) {
+    if (!merge.blended) {
+        return {"write", "pixel = source", point(merge.source), point(merge.after)};
+    }
+    return {
+        "blend over",
+        "pixel = source·a + before·(1 − a)",
+        fmt::format(
+            "{}·{}\n+ {}·{}",
+            point(merge.source),
+            number(merge.source.a),
+            point(merge.before),
+            number(1.0F - merge.source.a)
+        ),
+        point(merge.after)};
+}
+
+std::vector<Formula> triangle_step_formulas(
+    const trace::TriangleDetail& triangle, const trace::Step& step, const scene::Settings& settings
+) {
+    if (step.kind == StepKind::outcodes) {
+        return outcode_formulas(triangle, settings);
+    }
+    if (step.kind == StepKind::clip_plane) {
+        return clip_formulas(triangle, step.plane, settings);
+    }
+    const auto index = static_cast<std::size_t>(step.piece);
+    if (index >= triangle.pieces.size()) {
+        return {};
+    }
+    const trace::PieceDetail& piece = triangle.pieces[index];
+    std::vector<Formula> list;
+    for (int k = 0; k < 3; ++k) {
+        const geometry::WindowVertex& v = piece.window[static_cast<unsigned>(k)];
+        if (step.kind == StepKind::divide) {
+            list.push_back(inv_w_formula(k, v));
+        } else if (step.kind == StepKind::viewport) {
+            list.push_back(snap_formula(k, v));
+        }
+    }
+    if (step.kind == StepKind::facing) {
+        list.push_back(facing_formula(piece));
+    } else if (step.kind == StepKind::setup && piece.setup) {
+        list = setup_formulas(*piece.setup);
+    }
+    return list;
+}
+
+/// The one formula a fragment's step computes; two for interpolation.
+std::vector<Formula>
+only_of_step(std::vector<Formula> all, const trace::FragmentDetail& fragment, StepKind kind) {
+    if (kind == StepKind::interpolate) {
+        const auto before_test = [](const Formula& f) {
+            return f.title.find("weights") != std::string::npos ||
+                   f.title.find("linear in the window") != std::string::npos;
+        };
+        std::vector<Formula> list;
+        for (Formula& formula : all) {
+            if (before_test(formula)) {
+                list.push_back(std::move(formula));
+            }
+        }
+        return list;
+    }
+    if (kind == StepKind::shade && fragment.shaded) {
+        if (fragment.shaded->terms) {
+            return {lighting_formula(*fragment.shaded->terms)};
+        }
+        return {
+            {"surface color",
+             "color = interpolated color × texel",
+             "",
+             point(fragment.shaded->color)}};
+    }
+    if (kind == StepKind::depth_test && fragment.depth_test) {
+        return {test_formula(*fragment.depth_test)};
+    }
+    if (kind == StepKind::merge && fragment.merge) {
+        return {merge_formula(*fragment.merge)};
+    }
+    return {};
+}
+
+const trace::PieceDetail* piece_of(const trace::StepDetail& detail, const trace::Step& step) {
+    if (!detail.triangle ||
+        static_cast<std::size_t>(step.piece) >= detail.triangle->pieces.size()) {
+        return nullptr;
+    }
+    return &detail.triangle->pieces[static_cast<std::size_t>(step.piece)];
+}
+
+} // namespace
+
+std::vector<Formula> vertex_formulas(const trace::VertexDetail& vertex) {
+    const pipeline::VertexWork& work = vertex.work;
+    const pipeline::Transforms& t = vertex.transforms;
+    std::vector<Formula> list{
+        transform_formula(
+            "object to world", "p_world = M_model · p_object", t.model, work.object, work.world
+        ),
+        transform_formula("world to eye", "p_eye = M_view · p_world", t.view, work.world, work.eye),
+        transform_formula(
+            "eye to clip", "p_clip = M_projection · p_eye", t.projection, work.eye, work.clip
+        ),
+    };
+    if (work.terms) {
+        list.push_back(lighting_formula(*work.terms));
+    }
+    if (vertex.window.status == geometry::WindowStatus::placed) {
+        list.push_back(divide_formula(work.clip, vertex.window));
+        list.push_back(snap_formula(static_cast<int>(vertex.vertex), vertex.window));
+    }
+    return list;
+}
+
+std::vector<Formula>
+edge_formulas(const raster::TriangleSetup& setup, const trace::VisitDetail& visit) {
+    std::vector<Formula> list;
+    for (unsigned k = 0; k < 3; ++k) {
+        const raster::EdgeFunction& e = setup.edges[k];
+        const std::int64_t value = visit.edges[k];
+        const bool owned = value + setup.top_left_bias[k] >= 0;
+        list.push_back(
+            {fmt::format("{} at pixel {}", edge_names[k], pixel(visit.pixel)),
+             e.owns_ties() ? "E = a·x + b·y + c, inside iff E ≥ 0 (top-left edge)"
+                           : "E = a·x + b·y + c, inside iff E > 0",
+             fmt::format(
+                 "{}·{} + {}·{} + {}",
+                 e.a,
+                 visit.pixel.x * subpixel_scale,
+                 e.b,
+                 visit.pixel.y * subpixel_scale,
+                 e.c
+             ),
+             fmt::format("{}: {}", whole(value), owned ? "inside" : "outside")}
+        );
+    }
+    return list;
+}
+
+std::vector<Formula> fragment_formulas(
+    const trace::FragmentDetail& fragment,
+    const trace::PieceDetail& piece,
+    const scene::Settings& settings
+) {
+    std::vector<Formula> list;
+    if (piece.setup) {
+        list.push_back(weights_formula(fragment, *piece.setup));
+    }
+    list.push_back(depth_formula(fragment, piece));
+    if (settings.interpolation == scene::InterpolationKind::perspective) {
+        list.push_back(perspective_formula(fragment, piece));
+    }
+    if (fragment.shaded && fragment.shaded->terms) {
+        list.push_back(lighting_formula(*fragment.shaded->terms));
+    }
+    if (fragment.depth_test) {
+        list.push_back(test_formula(*fragment.depth_test));
+    }
+    if (fragment.merge) {
+        list.push_back(merge_formula(*fragment.merge));
+    }
+    return list;
+}
+
+std::vector<Formula> formulas(
+    const trace::StepDetail& detail, const trace::Step& step, const scene::Settings& settings
+) {
+    if (step.in_vertex_stage() && detail.vertex) {
+        std::vector<Formula> all = vertex_formulas(*detail.vertex);
+        const auto index =
+            static_cast<std::size_t>(step.kind) - static_cast<std::size_t>(StepKind::vertex_world);
+        if (index < all.size()) {
+            return {all[index]};
+        }
+        return {};
+    }
+    const trace::PieceDetail* piece = piece_of(detail, step);
+    if (step.kind == StepKind::edge_test) {
+        return detail.visit && piece != nullptr && piece->setup
+                   ? edge_formulas(*piece->setup, *detail.visit)
+                   : std::vector<Formula>{};
+    }
+    if (step.in_fragment() && detail.fragment && piece != nullptr) {
+        return only_of_step(
+            fragment_formulas(*detail.fragment, *piece, settings), *detail.fragment, step.kind
+        );
+    }
+    if (detail.triangle) {
+        return triangle_step_formulas(*detail.triangle, step, settings);
+    }
+    return {};
+}
+
+} // namespace hs::explain
