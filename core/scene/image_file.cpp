@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,10 +18,10 @@ Diagnostic complaint(const std::filesystem::path& path, const std::string& messa
     return {path.string(), 0, 0, message};
 }
 
-/// OpenImageIO explains itself in several lines, with its own prefixes; the first says what is
-/// wrong.
-std::string first_line(const std::string& text) {
-    return text.empty() ? "OpenImageIO does not say why" : text.substr(0, text.find('\n'));
+/// OpenImageIO explains itself at length; the first sentence says what is wrong.
+std::string first_sentence(const std::string& text) {
+    const std::size_t end = std::min(text.find('\n'), text.find(". "));
+    return text.empty() ? "OpenImageIO does not say why" : text.substr(0, end);
 }
 
 std::optional<std::string> check_size(const OIIO::ImageSpec& spec) {
@@ -32,8 +33,9 @@ std::optional<std::string> check_size(const OIIO::ImageSpec& spec) {
             spec.height
         );
     }
-    if (spec.nchannels < 1 || spec.depth > 1) {
-        return std::string{"the image must be flat and have at least one channel"};
+    constexpr int most_channels = 64;
+    if (spec.nchannels < 1 || spec.nchannels > most_channels || spec.depth > 1 || spec.deep) {
+        return fmt::format("the image must be flat and have 1 to {} channels", most_channels);
     }
     return std::nullopt;
 }
@@ -52,24 +54,34 @@ bool is_finite(const glm::vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
+/// 8-bit values become v/255, correctly rounded; OpenImageIO multiplies by an inexact 1/255.
+bool read_row(OIIO::ImageInput& input, int y, std::vector<float>& row) {
+    const OIIO::ImageSpec& spec = input.spec();
+    if (spec.format != OIIO::TypeDesc::UINT8) {
+        return input.read_scanline(spec.y + y, 0, OIIO::TypeDesc::FLOAT, row.data());
+    }
+    std::vector<unsigned char> bytes(row.size());
+    const bool good = input.read_scanline(spec.y + y, 0, OIIO::TypeDesc::UINT8, bytes.data());
+    std::ranges::transform(bytes, row.begin(), [](unsigned char byte) {
+        return static_cast<float>(byte) / 255.0F;
+    });
+    return good;
+}
+
 /// Row by row, so that a header that lies about its size costs nothing before the first missing
 /// row.
 std::optional<std::string> read_rows(OIIO::ImageInput& input, Texture& texture) {
     const OIIO::ImageSpec& spec = input.spec();
-    std::vector<float> row;
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> row(static_cast<std::size_t>(spec.width) * channels);
     for (int y = 0; y < spec.height; ++y) {
-        const auto count =
-            static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.nchannels);
-        row.resize(count);
-        if (!input.read_scanline(spec.y + y, 0, OIIO::TypeDesc::FLOAT, row.data())) {
-            return fmt::format("row {} cannot be read: {}", y, first_line(input.geterror()));
+        if (!read_row(input, y, row)) {
+            return fmt::format("row {} cannot be read: {}", y, first_sentence(input.geterror()));
         }
-        for (int x = 0; x < spec.width; ++x) {
-            const auto first =
-                static_cast<std::size_t>(x) * static_cast<std::size_t>(spec.nchannels);
-            texture.texels.push_back(to_rgba(&row[first], spec.nchannels));
+        for (std::size_t x = 0; x < row.size(); x += channels) {
+            texture.texels.push_back(to_rgba(&row[x], spec.nchannels));
             if (!is_finite(texture.texels.back())) {
-                return fmt::format("pixel {},{} is not a finite number", x, y);
+                return fmt::format("pixel {},{} is not a finite number", x / channels, y);
             }
         }
     }
@@ -83,7 +95,7 @@ Result<Texture> load_texture(const std::filesystem::path& path) {
     wishes["oiio:UnassociatedAlpha"] = 1; // else colors come multiplied by alpha
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &wishes);
     if (!input) {
-        return complaint(path, "the image cannot be opened: " + first_line(OIIO::geterror()));
+        return complaint(path, "the image cannot be opened: " + first_sentence(OIIO::geterror()));
     }
     const OIIO::ImageSpec& spec = input->spec();
     if (const auto message = check_size(spec)) {

@@ -86,10 +86,10 @@ std::optional<std::size_t> parse_index(const std::string& text) {
     return error == std::errc{} && rest == end ? std::optional{index} : std::nullopt;
 }
 
-/// One segment down; missing tables are made on the way.
+/// One segment down; missing tables are made on the way, but no key of a table is a number.
 toml::node* descend(toml::node& node, const std::string& segment) {
     if (toml::table* table = node.as_table()) {
-        if (!table->contains(segment)) {
+        if (!table->contains(segment) && !parse_index(segment)) {
             table->insert(segment, toml::table{});
         }
         return table->get(segment);
@@ -115,12 +115,12 @@ std::optional<std::string> assign_node(toml::table& root, const Path& path, toml
         }
     }
     const std::string& last = path.back();
-    if (toml::table* table = place->as_table()) {
+    const std::optional<std::size_t> index = parse_index(last);
+    if (toml::table* table = place->as_table(); table != nullptr && !index) {
         value.visit([&](auto& typed) { table->insert_or_assign(last, std::move(typed)); });
         return std::nullopt;
     }
     toml::array* list = place->as_array();
-    const std::optional<std::size_t> index = parse_index(last);
     if (list == nullptr || !index || *index >= list->size()) {
         return fmt::format("there is no {} in {}", last, join(path, path.size() - 1));
     }

@@ -84,7 +84,7 @@ void read_light(SceneReader& reader, const toml::table& toml, std::size_t number
     table.read("color", light.color);
     if (light.kind == LightKind::directional && table.read("to_light", light.to_light) &&
         light.to_light == glm::vec3{0.0F}) {
-        table.must_be("to_light", "a direction, not all 0");
+        table.must_be("to_light", "a direction other than [0, 0, 0]");
     }
     if (light.kind == LightKind::point) {
         table.read("position", light.position);

@@ -10,10 +10,10 @@ void read_depth_limits(TableReader& table, Projection& projection, bool from_eye
     table.read("near", projection.near);
     table.read("far", projection.far);
     if (from_eye && !(projection.near > 0.0F)) {
-        table.complain("near of the projection must be greater than 0");
+        table.complain("near of projection must be greater than 0");
     }
     if (!(projection.far > projection.near)) {
-        table.complain("far of the projection must be greater than near");
+        table.complain("far of projection must be greater than near");
     }
 }
 

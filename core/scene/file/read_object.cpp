@@ -26,7 +26,7 @@ bool read_rotation(TableReader& step, TransformStep& result) {
     if (!rotate.has("axis") || !rotate.has("degrees")) {
         rotate.complain("rotate needs an axis and degrees");
     } else if (axis && result.vector == glm::vec3{0.0F}) {
-        rotate.must_be("axis", "a direction, not all 0");
+        rotate.must_be("axis", "a direction other than [0, 0, 0]");
     }
     result.kind = TransformStep::Kind::rotate;
     return axis && degrees;
@@ -106,6 +106,10 @@ std::shared_ptr<const Mesh> read_mesh_file(SceneReader& reader, TableReader& tab
     const toml::node& node = *table.find("mesh");
     const std::optional<std::filesystem::path> path = find_file(reader, node, name);
     if (!path) {
+        return nullptr;
+    }
+    if (!is_mesh_file(*path)) {
+        reader.complaints.add(node, "mesh files end in .obj, .off, .ply, .stl or .om");
         return nullptr;
     }
     const auto [entry, is_new] = reader.meshes.try_emplace({path->string(), fit});

@@ -52,6 +52,9 @@ using Visit =
 
 std::optional<std::string>
 visit_setting(const std::string& key, const toml::node& node, const Visit& visit) {
+    if (is_group(key)) {
+        return fmt::format("{} is a group of settings: write {}.… = …", key, key);
+    }
     const std::optional<SettingValue> value = to_value(node);
     if (!value) {
         return fmt::format("{} cannot be a table, a date or a time", key);
@@ -69,11 +72,11 @@ void visit_settings(
             visit_settings(complaints, *node.as_table(), path + '.', visit);
             continue;
         }
-        const bool known = find_setting(path) != nullptr;
-        // An unknown key is wrong itself, a known one has a wrong value.
-        const bool at_key = !known && key.source().begin.line > 0;
-        if (const auto complaint = visit_setting(path, node, visit)) {
-            complaints.add(at_key ? key.source() : node.source(), *complaint);
+        const std::optional<std::string> complaint = visit_setting(path, node, visit);
+        if (complaint && find_setting(path) == nullptr) {
+            complaints.add_at_key(key, node, *complaint);
+        } else if (complaint) {
+            complaints.add(node, *complaint);
         }
     }
 }

@@ -13,6 +13,20 @@ namespace {
 
 constexpr std::size_t most_complaints = 100;
 
+std::string excerpt(const toml::node& node);
+
+std::string excerpt_of_list(const toml::array& list) {
+    constexpr std::size_t longest = 60;
+    std::string text;
+    for (const toml::node& entry : list) {
+        text += (text.empty() ? "" : ", ") + excerpt(entry);
+        if (text.size() > longest) {
+            return '[' + text + ", …]";
+        }
+    }
+    return '[' + text + ']';
+}
+
 std::string excerpt(const toml::node& node) {
     if (const auto* text = node.as_string()) {
         constexpr std::size_t longest = 40;
@@ -28,7 +42,10 @@ std::string excerpt(const toml::node& node) {
     if (const auto* truth = node.as_boolean()) {
         return truth->get() ? "true" : "false";
     }
-    return node.is_table() ? "a table" : node.is_array() ? "a list" : "a date or time";
+    if (const toml::array* list = node.as_array()) {
+        return excerpt_of_list(*list);
+    }
+    return node.is_table() ? "a table" : "a date or time";
 }
 
 } // namespace
@@ -49,6 +66,13 @@ void Complaints::add(const toml::source_region& at, std::string message) {
     list_.push_back({file_, line, column, std::move(message)});
 }
 
+void Complaints::add_at_key(const toml::key& key, const toml::node& value, std::string message) {
+    const toml::source_region& at_key = key.source();
+    const toml::source_region& at_value = value.source();
+    const bool same_file = at_key.path && at_value.path && *at_key.path == *at_value.path;
+    add(same_file ? at_key : at_value, std::move(message));
+}
+
 void Complaints::add(Diagnostics others) {
     list_.insert(list_.end(), others.begin(), others.end());
 }
@@ -56,10 +80,11 @@ void Complaints::add(Diagnostics others) {
 Diagnostics Complaints::sorted() const {
     Diagnostics sorted = list_;
     const auto place = [&](const Diagnostic& d) {
+        if (d.file != file_) {
+            return std::tuple{d.file.starts_with("--set") ? 0 : 2, 0, 0};
+        }
         // "The whole" (line 0) comes after what is located.
-        const int line = d.line == 0 ? std::numeric_limits<int>::max() : d.line;
-        return std::tuple{
-            d.file != file_, d.file == file_ ? line : 0, d.file == file_ ? d.column : 0};
+        return std::tuple{1, d.line == 0 ? std::numeric_limits<int>::max() : d.line, d.column};
     };
     std::ranges::stable_sort(sorted, std::less<>{}, place);
     return sorted;
@@ -214,9 +239,9 @@ void TableReader::finish() {
         if (std::ranges::find(known_, key.str()) != known_.end()) {
             continue;
         }
-        const bool made_by_set = key.source().begin.line == 0;
-        complaints_.add(
-            made_by_set ? node.source() : key.source(),
+        complaints_.add_at_key(
+            key,
+            node,
             fmt::format("{} has no key \"{}\"{}", name_, key.str(), did_you_mean(key.str(), known_))
         );
     }

@@ -27,10 +27,12 @@ public:
     /// Nodes made by `--set` know so and are located there.
     void add(const toml::source_region& at, std::string message);
     void add(const toml::node& at, std::string message) { add(at.source(), std::move(message)); }
+    /// At the key, unless `--set` has replaced what the key stood for.
+    void add_at_key(const toml::key& key, const toml::node& value, std::string message);
     void add(Diagnostics others);
 
     [[nodiscard]] bool empty() const { return list_.empty(); }
-    /// By line and column; what is wrong with other files comes last.
+    /// Assignments first, then by line and column; what is wrong with other files comes last.
     [[nodiscard]] Diagnostics sorted() const;
 
 private:

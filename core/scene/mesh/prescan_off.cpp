@@ -32,7 +32,7 @@ std::optional<Header> parse_header(std::string_view line) {
 
 class OffScan {
 public:
-    explicit OffScan(std::string_view bytes) : lines_(bytes) {}
+    explicit OffScan(std::string_view bytes) : size_(bytes.size()), lines_(bytes) {}
 
     std::optional<Flaw> run() {
         const auto header = parse_header(lines_.next().value_or(""));
@@ -64,12 +64,18 @@ private:
     }
 
     std::optional<Flaw> scan_counts() {
+        constexpr std::int64_t most = 0x7FFFFFFF; // OpenMesh numbers them with int
         std::string_view rest = lines_.next_filled().value_or("");
         const auto vertices = parse_whole(next_word(rest));
         const auto faces = parse_whole(next_word(rest));
         const auto edges = parse_whole(next_word(rest));
-        if (!vertices || !faces || !edges || *vertices < 0 || *faces < 0 || !rest.empty()) {
+        if (!vertices || !faces || !edges || *vertices < 0 || *faces < 0 || *vertices > most ||
+            *faces > most || !rest.empty()) {
             return flaw("the numbers of vertices, faces and edges are expected here");
+        }
+        // "0 0 0" and "3 0 1 2", each with a line break
+        if (*vertices * 6 + *faces * 8 > static_cast<std::int64_t>(size_) + 1) {
+            return flaw("the file is too short for so many vertices and faces");
         }
         vertices_ = *vertices;
         faces_ = *faces;
@@ -137,6 +143,7 @@ private:
         return std::nullopt;
     }
 
+    std::size_t size_;
     LineScanner lines_;
     Header header_;
     std::int64_t vertices_ = 0;

@@ -360,6 +360,15 @@ std::optional<Flaw> prescan_ply(std::string_view bytes) {
     }
     const Element& vertices = header.elements[0];
     const Element& faces = header.elements[1];
+    // One character or byte per number at least, beside what separates them.
+    if (static_cast<std::size_t>(vertices.count) * vertices.properties.size() > bytes.size() ||
+        static_cast<std::size_t>(faces.count) * 4 > bytes.size()) {
+        return Flaw{
+            0,
+            fmt::format(
+                "the file is too short for {} vertices and {} faces", vertices.count, faces.count
+            )};
+    }
     NumberStream numbers{header.lines().rest(), header.encoding, header.lines().number() + 1};
     for (std::int64_t i = 0; i < vertices.count; ++i) {
         if (auto message = scan_vertex(numbers, vertices)) {
