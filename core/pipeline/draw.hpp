@@ -92,19 +92,53 @@ void merge_fragment(
     trace.merged(merge);
 }
 
+/// A piece of a triangle: three clipped vertices and their place in the window.
+struct Piece {
+    std::array<const float*, 3> varyings{};
+    std::array<geometry::WindowVertex, 3> window{};
+};
+
+/// What its fragments are made from.
+struct PieceSetup {
+    raster::TriangleSetup edges;
+    raster::Interpolants interpolants;
+};
+
+/// Set up: edge functions, and what will be interpolated.
+[[nodiscard]] inline PieceSetup
+set_up_piece(const DrawCall& call, const Piece& piece, std::int64_t doubled_area) {
+    const auto& [v0, v1, v2] = piece.window;
+    return {
+        .edges =
+            raster::set_up({v0.fixed, v1.fixed, v2.fixed}, doubled_area, call.settings.image()),
+        .interpolants = {
+            .depth0 = v0.window.depth,
+            .depth1 = v1.window.depth,
+            .depth2 = v2.window.depth,
+            .inv_w0 = v0.inv_w,
+            .inv_w1 = v1.inv_w,
+            .inv_w2 = v2.inv_w,
+            .varyings0 = piece.varyings[0],
+            .varyings1 = piece.varyings[1],
+            .varyings2 = piece.varyings[2],
+            .varying_count = call.vertex.layout.count,
+            .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
+        }};
+}
+
 /// One covered pixel: interpolate, then shade and test in the order the settings ask for, then
 /// merge.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 void draw_fragment(
     const DrawCall& call,
-    const raster::Interpolants& interpolants,
-    const raster::TriangleSetup& setup,
+    const PieceSetup& piece,
     PixelPos pixel,
     const raster::EdgeValues& e,
     Target& target,
     Trace& trace
 ) {
-    const raster::Fragment fragment = raster::interpolate(interpolants, setup, pixel, e);
+    const raster::Fragment fragment =
+        raster::interpolate(piece.interpolants, piece.edges, pixel, e);
     trace.interpolated(fragment);
     const float depth = framebuffer::store_depth(fragment.depth, call.settings.depth_format);
 
@@ -125,11 +159,11 @@ void draw_fragment(
     trace.fragment_end(fate);
 }
 
-/// A piece of a triangle: three clipped vertices and their place in the window.
-struct Piece {
-    std::array<const float*, 3> varyings{};
-    std::array<geometry::WindowVertex, 3> window{};
-};
+/// Whether some vertex of a piece has this status.
+[[nodiscard]] inline bool any_vertex(const Piece& piece, geometry::WindowStatus status) {
+    return piece.window[0].status == status || piece.window[1].status == status ||
+           piece.window[2].status == status;
+}
 
 /// Divide, viewport, cull, setup and traverse one piece.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
@@ -137,25 +171,21 @@ geometry::TriangleVerdict draw_piece(
     const DrawCall& call, const Piece& piece, raster::UnitRange units, Target& target, Trace& trace
 ) {
     using geometry::TriangleVerdict;
-    const auto& [v0, v1, v2] = piece.window;
 
     // Divide by w; a vertex with w = 0 has no place
     trace.divided(piece.window);
-    for (const geometry::WindowVertex& vertex : piece.window) {
-        if (vertex.status == geometry::WindowStatus::at_eye) {
-            return TriangleVerdict::behind_the_eye;
-        }
+    if (any_vertex(piece, geometry::WindowStatus::at_eye)) {
+        return TriangleVerdict::behind_the_eye;
     }
 
     // Map to the window and snap to 1/256 pixel
     trace.mapped(piece.window);
-    for (const geometry::WindowVertex& vertex : piece.window) {
-        if (vertex.status == geometry::WindowStatus::too_far) {
-            return TriangleVerdict::too_large;
-        }
+    if (any_vertex(piece, geometry::WindowStatus::too_far)) {
+        return TriangleVerdict::too_large;
     }
 
     // Face: the sign of the snapped area decides
+    const auto& [v0, v1, v2] = piece.window;
     const std::int64_t area = geometry::doubled_area(v0.fixed, v1.fixed, v2.fixed);
     const TriangleVerdict facing =
         geometry::face_verdict(area, call.settings.front_face, call.settings.cull);
@@ -165,34 +195,20 @@ geometry::TriangleVerdict draw_piece(
     }
 
     // Set up edge functions and what will be interpolated
-    const PixelRect image = call.settings.image();
-    const raster::TriangleSetup setup = raster::set_up({v0.fixed, v1.fixed, v2.fixed}, area, image);
-    trace.set_up(setup);
-    const raster::Interpolants interpolants{
-        .depth0 = v0.window.depth,
-        .depth1 = v1.window.depth,
-        .depth2 = v2.window.depth,
-        .inv_w0 = v0.inv_w,
-        .inv_w1 = v1.inv_w,
-        .inv_w2 = v2.inv_w,
-        .varyings0 = piece.varyings[0],
-        .varyings1 = piece.varyings[1],
-        .varyings2 = piece.varyings[2],
-        .varying_count = call.vertex.layout.count,
-        .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
-    };
+    const PieceSetup setup = set_up_piece(call, piece, area);
+    trace.set_up(setup.edges);
 
     // Traverse: ask pixels, draw a fragment for each one covered
     bool any = false;
     raster::traverse(
         call.settings.traversal,
-        setup,
-        image,
+        setup.edges,
+        call.settings.image(),
         units,
         trace,
         [&](PixelPos pixel, const raster::EdgeValues& e) {
             any = true;
-            draw_fragment(call, interpolants, setup, pixel, e, target, trace);
+            draw_fragment(call, setup, pixel, e, target, trace);
         }
     );
     return any ? TriangleVerdict::drawn : TriangleVerdict::no_sample_covered;
