@@ -248,32 +248,22 @@ private:
     std::vector<int> first_halfedges_;
 };
 
-/// While it lives, OpenMesh complains to a string instead of the terminal.
-class CapturedErrors {
-public:
-    CapturedErrors() {
+/// From the first mesh on OpenMesh complains here instead of on the terminal. Connected once and
+/// for all: its streams leak every target they let go.
+std::ostringstream& complaints_of_openmesh() {
+    static std::ostringstream& text = []() -> std::ostringstream& {
+        static std::ostringstream stream;
         omerr().disconnect(std::cerr);
-        omerr().connect(text_);
-        omlog().disconnect(std::clog);
-    }
-    ~CapturedErrors() {
-        omerr().disconnect(text_);
-        omerr().connect(std::cerr);
-        omlog().connect(std::clog);
-    }
-    CapturedErrors(const CapturedErrors&) = delete;
-    CapturedErrors& operator=(const CapturedErrors&) = delete;
-    CapturedErrors(CapturedErrors&&) = delete;
-    CapturedErrors& operator=(CapturedErrors&&) = delete;
+        omerr().connect(stream);
+        omlog().disable();
+        return stream;
+    }();
+    return text;
+}
 
-    [[nodiscard]] std::string first_line() const {
-        const std::string text = text_.str();
-        return text.substr(0, text.find('\n'));
-    }
-
-private:
-    std::ostringstream text_;
-};
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
 
 /// OBJ files pull in material files from anywhere; colors and textures are the scene's business.
 std::string without_materials(std::string bytes) {
@@ -306,14 +296,15 @@ bool read(const std::filesystem::path& path, const std::string& bytes, Collector
 Result<RawMesh> import_file(const std::filesystem::path& path, const std::string& bytes) {
     static std::mutex readers_are_shared; // and keep state between calls
     const std::scoped_lock lock{readers_are_shared};
-    const CapturedErrors errors;
+    std::ostringstream& complaints = complaints_of_openmesh();
+    complaints.str("");
     Collector collector{bytes.size()};
     const auto complaint = [&](const std::string& message) {
         return Diagnostic{path.string(), 0, 0, message};
     };
     try {
         if (!read(path, bytes, collector)) {
-            const std::string reason = errors.first_line();
+            const std::string reason = first_line(complaints.str());
             return complaint(reason.empty() ? "the file is damaged or not of its kind" : reason);
         }
         return collector.take();
