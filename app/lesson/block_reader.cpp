@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace hs::lesson {
@@ -23,6 +25,10 @@ void flatten(
         }
     }
 }
+
+/// Paths into a scene begin with one of these words; any other path is a setting's.
+constexpr std::array<std::string_view, 6> scene_words{
+    "name", "settings", "camera", "object", "material", "light"};
 
 /// Highlights and things to hide are quantities or their first words.
 void read_quantities(TableReader& table, std::string_view key, std::vector<std::string>& target) {
@@ -55,11 +61,26 @@ void read_tables(TableReader& table, std::string_view key, Read read) {
 void refuse_twice(TableReader& table, std::string_view key, bool said_before) {
     const toml::node* const node = table.find(key);
     if (node != nullptr && said_before) {
-        table.complaints().add(*node, fmt::format("this step already has a {}", key));
+        table.complaints().add(*node, fmt::format("{} was already said in this step", key));
     }
 }
 
 } // namespace
+
+std::optional<std::string> describe_unknown_setting(std::string_view path) {
+    const std::string_view word = path.substr(0, path.find('.'));
+    const bool prefixed = word == "settings" && word != path;
+    const std::string_view key = prefixed ? path.substr(word.size() + 1) : path;
+    const bool elsewhere = !prefixed && std::ranges::find(scene_words, word) != scene_words.end();
+    if (elsewhere || scene::find_setting(key) != nullptr) {
+        return std::nullopt;
+    }
+    std::vector<std::string_view> known;
+    for (const scene::SettingInfo& setting : scene::setting_infos()) {
+        known.push_back(setting.key);
+    }
+    return fmt::format("there is no setting \"{}\"{}", key, did_you_mean(key, known));
+}
 
 Place place_of(const toml::node& node) {
     return {
@@ -112,8 +133,15 @@ bool read_number(TableReader& table, std::string_view key, double& target) {
 void read_assignments(
     TableReader& table, std::string_view key, std::vector<scene::Assignment>& target
 ) {
-    if (const toml::table* const settings = table.read_table(key)) {
-        flatten(*settings, "", target);
+    const toml::table* const settings = table.read_table(key);
+    if (settings == nullptr) {
+        return;
+    }
+    flatten(*settings, "", target);
+    for (const scene::Assignment& assignment : target) {
+        if (const std::optional<std::string> problem = describe_unknown_setting(assignment.path)) {
+            table.complaints().add(*settings, *problem);
+        }
     }
 }
 

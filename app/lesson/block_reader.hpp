@@ -42,6 +42,9 @@ void read_assignments(
     TableReader& table, std::string_view key, std::vector<scene::Assignment>& target
 );
 
+/// What is wrong with the path of an assignment, as far as that shows without the scene.
+std::optional<std::string> describe_unknown_setting(std::string_view path);
+
 /// A value as TOML text.
 std::string toml_text(const toml::node& node);
 

@@ -97,8 +97,10 @@ void Checker::check_step(std::size_t index) {
     const SceneChoice scene = scene_of_step(lesson_, index);
     const RecordingCache::Entry& entry = recordings_->get(scene);
     if (!entry) {
-        const Place place = step.scene.empty() ? step.settings_place : step.scene_place;
-        add(place, "the scene of this step does not load");
+        const bool without_changes = recordings_->get({scene.file, {}}).operator bool();
+        add(without_changes ? step.settings_place : step.scene_place,
+            without_changes ? "the scene does not load with the settings of this step"
+                            : "the scene of this step does not load");
         add(entry.diagnostics());
         return;
     }
@@ -156,7 +158,9 @@ void Checker::check_question(const Question& question, const Evaluator& evaluate
     }
     check_kind(question, *right);
     check_text(question.prompt, question.place, {&evaluate, {}, {}});
-    check_text(question.reveal, question.place, {&evaluate, {}, {{"right", *right}}});
+    check_text(
+        question.reveal, question.place, {&evaluate, {}, {{"right", asked_part(question, *right)}}}
+    );
     const Result<Grade> graded = grade(question, *right, evaluate);
     if (!graded) {
         add(graded.diagnostics());
@@ -239,6 +243,7 @@ void Checker::check_change(
     const Change& change, const SceneChoice& scene, const Evaluator& evaluate
 ) {
     std::set<std::string> seen;
+    std::size_t loaded = 0;
     for (const std::string& value : change.values) {
         SceneChoice changed = scene;
         changed.assignments.push_back({change.key, value});
@@ -248,12 +253,13 @@ void Checker::check_change(
             add(entry.diagnostics());
             continue;
         }
+        ++loaded;
         Expression watch = change.watch;
         watch.settings.insert(watch.settings.begin(), {change.key, value});
         const Result<Value> watched = evaluate(watch);
         seen.insert(watched ? print_value(*watched) : watched.diagnostics().front().message);
     }
-    if (seen.size() == 1) {
+    if (seen.size() == 1 && loaded == change.values.size()) {
         add(change.place,
             fmt::format("whatever is chosen, {} stays {}", change.watch.quantity, *seen.begin()));
     }

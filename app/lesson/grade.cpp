@@ -72,7 +72,11 @@ Result<Done> recognize(
         const Filling filling{
             .evaluate = &evaluate,
             .is_hidden = {},
-            .named_values = {{"right", right}, {"wrong", *value}},
+            .named_values =
+                {
+                    {"right", asked_part(question, right)},
+                    {"wrong", asked_part(question, *value)},
+                },
         };
         const Document said = fill_in_text(wrong.message, wrong.place, filling, problems);
         if (!problems.empty()) {
@@ -86,6 +90,13 @@ Result<Done> recognize(
 }
 
 } // namespace
+
+Value asked_part(const Question& question, Value value) {
+    if (const auto* const pixels = std::get_if<PixelSet>(&value)) {
+        return inside(*pixels, question.region);
+    }
+    return value;
+}
 
 Result<Grade> grade(const Question& question, const Value& answer, const Evaluator& evaluate) {
     const Result<Value> right = evaluate(question.answer);

@@ -17,6 +17,9 @@ struct Grade {
     PixelSet extra;            ///< picked, not asked for
 };
 
+/// The part of a value the question asks for: pixels outside its region do not count.
+Value asked_part(const Question& question, Value value);
+
 /// Precondition: the question's expressions were checked (check.hpp) or the result says why not.
 Result<Grade> grade(const Question& question, const Value& answer, const Evaluator& evaluate);
 

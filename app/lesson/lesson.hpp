@@ -65,7 +65,7 @@ struct Question {
 struct Change {
     std::string prompt;              ///< Markdown with placeholders
     std::string key;                 ///< path of an entry of the scene, as for --set
-    std::vector<std::string> values; ///< TOML texts to choose from, at least two
+    std::vector<std::string> values; ///< to choose from, at least two: TOML, strings without quotes
     Expression watch;
     Place place;
 };

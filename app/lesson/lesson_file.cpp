@@ -21,8 +21,9 @@ constexpr std::uintmax_t largest_lesson = 4U << 20U;
 /// Puts the parts of a file together: header, introduction, steps.
 class LessonReader {
 public:
-    LessonReader(Lesson& lesson, Complaints& complaints)
-        : lesson_(lesson), complaints_(complaints), file_(lesson.file.string()) {}
+    /// `broken`: a fence is not closed, and swallowed what may be missed.
+    LessonReader(Lesson& lesson, Complaints& complaints, bool broken)
+        : lesson_(lesson), complaints_(complaints), file_(lesson.file.string()), broken_(broken) {}
 
     void add(Block block) {
         const bool heading = block.kind == BlockKind::heading;
@@ -41,6 +42,7 @@ public:
 
     void add(const FencedBlock& block) {
         const std::optional<toml::table> table = parse_block(block, file_, complaints_);
+        broken_ = broken_ || !table;
         if (!has_header_) {
             has_header_ = true;
             if (!lesson_.steps.empty()) {
@@ -62,12 +64,12 @@ public:
     }
 
     void finish() {
-        if (!has_header_) {
+        if (!has_header_ && !broken_) {
             complain({}, "the lesson has no fenced block with the word halfspace: ```halfspace");
         }
         if (lesson_.steps.empty()) {
             complain({}, "the lesson has no steps: steps begin with a heading \"## …\"");
-        } else if (lesson_.steps.front().scene.empty()) {
+        } else if (lesson_.steps.front().scene.empty() && !broken_) {
             complain(lesson_.steps.front().place, "the first step must name a scene");
         }
     }
@@ -96,6 +98,7 @@ private:
     Complaints& complaints_;
     std::string file_;
     bool has_header_ = false;
+    bool broken_; ///< a block could not be read: what is missing may stand in it
 };
 
 /// Where the text stops being UTF-8; nothing when it never does.
@@ -155,8 +158,9 @@ Result<Lesson> parse_lesson(std::string_view text, const fs::path& file) {
     for (Diagnostic& problem : markdown.problems) {
         problem.file = file.string();
     }
+    const bool broken = !markdown.problems.empty();
     complaints.add(std::move(markdown.problems));
-    LessonReader reader(lesson, complaints);
+    LessonReader reader(lesson, complaints, broken);
     for (MarkdownPart& part : markdown.parts) {
         std::visit([&](auto& content) { reader.add(std::move(content)); }, part);
     }

@@ -8,7 +8,7 @@ namespace hs::lesson {
 
 namespace {
 
-constexpr unsigned flags = MD_FLAG_TABLES | MD_FLAG_NOHTML;
+constexpr unsigned flags = MD_FLAG_TABLES;
 
 MarkdownBuilder& builder(void* user) {
     return *static_cast<MarkdownBuilder*>(user);

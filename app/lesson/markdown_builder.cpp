@@ -196,6 +196,16 @@ void MarkdownBuilder::add_text(MD_TEXTTYPE type, std::string_view text) {
         }
         return;
     }
+    if (type == MD_TEXT_HTML) {
+        if (html_.empty()) {
+            html_offset_ = offset_of(text.data());
+        }
+        html_ += text;
+        if (!in_html_block_) {
+            close_html(html_offset_);
+        }
+        return;
+    }
     open_implied();
     switch (type) {
     case MD_TEXT_BR: append("\n", nullptr); break;
@@ -204,9 +214,21 @@ void MarkdownBuilder::add_text(MD_TEXTTYPE type, std::string_view text) {
     case MD_TEXT_ENTITY: append(decode_entity(text), nullptr); break;
     case MD_TEXT_NORMAL:
     case MD_TEXT_CODE:
-    case MD_TEXT_HTML:
     case MD_TEXT_LATEXMATH: append(text, text.data()); break;
+    case MD_TEXT_HTML: break; // above
     }
+}
+
+/// Comments are the author's own business; other HTML would be seen on web pages only.
+void MarkdownBuilder::close_html(std::size_t offset) {
+    const std::string_view html = trim(html_);
+    if (!html.starts_with("<!--") || !html.ends_with("-->")) {
+        complain(
+            offset == std::string_view::npos ? Place{} : place_of(offset),
+            "HTML is not shown: write Markdown"
+        );
+    }
+    html_.clear();
 }
 
 void MarkdownBuilder::enter_code(const MD_BLOCK_CODE_DETAIL& detail) {
@@ -231,6 +253,7 @@ void MarkdownBuilder::close_fence() {
     const std::string_view rest = source_.substr(std::min(last_offset_, source_.size()));
     if (rest.find("```") == std::string_view::npos && rest.find("~~~") == std::string_view::npos) {
         complain(fence_.place, "this fenced block is never closed: end it with ```");
+        return; // what it swallowed is no TOML
     }
     result_.parts.emplace_back(std::move(fence_));
 }
@@ -280,11 +303,11 @@ void MarkdownBuilder::enter_block(MD_BLOCKTYPE type, const void* detail) {
         );
         break;
     case MD_BLOCK_TABLE: open(BlockKind::table); break;
+    case MD_BLOCK_HTML: in_html_block_ = true; break;
     case MD_BLOCK_TR: block_.cells.emplace_back(); break;
     case MD_BLOCK_TH:
     case MD_BLOCK_TD: enter_cell(*static_cast<const MD_BLOCK_TD_DETAIL*>(detail)); break;
     case MD_BLOCK_DOC:
-    case MD_BLOCK_HTML:
     case MD_BLOCK_THEAD:
     case MD_BLOCK_TBODY: break;
     }
@@ -315,9 +338,12 @@ void MarkdownBuilder::leave_block(MD_BLOCKTYPE type) {
     case MD_BLOCK_H:
     case MD_BLOCK_P:
     case MD_BLOCK_TABLE: close(); break;
+    case MD_BLOCK_HTML:
+        in_html_block_ = false;
+        close_html(html_offset_);
+        break;
     case MD_BLOCK_DOC:
     case MD_BLOCK_HR:
-    case MD_BLOCK_HTML:
     case MD_BLOCK_THEAD:
     case MD_BLOCK_TBODY:
     case MD_BLOCK_TR: break;

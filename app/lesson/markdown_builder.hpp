@@ -36,6 +36,7 @@ private:
     void close();
     void close_spans(Spans& spans);
     void close_fence();
+    void close_html(std::size_t offset);
     void enter_code(const MD_BLOCK_CODE_DETAIL& detail);
     void enter_cell(const MD_BLOCK_TD_DETAIL& detail);
     void append(std::string_view text, const char* origin);
@@ -62,6 +63,9 @@ private:
     int quotes_ = 0;
     bool in_fence_ = false;
     FencedBlock fence_;
+    bool in_html_block_ = false;
+    std::string html_;
+    std::size_t html_offset_ = 0;
     std::size_t last_offset_ = 0; ///< the end of the last text that came from the source
 };
 

@@ -41,18 +41,28 @@ int digits_of(std::string_view written) {
     return point == std::string_view::npos ? -1 : static_cast<int>(written.size() - point) - 1;
 }
 
-/// What a placeholder reads, or why it cannot be read.
-Result<std::string> read(const Span& span, const Filling& filling) {
+/// What a placeholder reads, and whether the page says otherwise.
+struct Reading {
+    std::string text;
+    std::string contradiction; ///< what the trace says; empty where the page agrees or is silent
+};
+
+/// A number with a plain hyphen is as good as one with a minus sign.
+std::string with_minus(std::string text) {
+    return text.starts_with('-') ? "−" + text.substr(1) : text;
+}
+
+Result<Reading> read(const Span& span, const Filling& filling) {
     if (const auto named = filling.named_values.find(span.placeholder);
         named != filling.named_values.end()) {
-        return print_value(named->second);
+        return Reading{print_value(named->second), ""};
     }
     const Result<Placeholder> placeholder = parse_placeholder(span.placeholder);
     if (!placeholder) {
         return placeholder.diagnostics();
     }
     if (filling.is_hidden && filling.is_hidden(placeholder->quantity)) {
-        return std::string{"?"};
+        return Reading{"?", ""};
     }
     const Result<Value> value = (*filling.evaluate)({
         .quantity = placeholder->quantity,
@@ -63,12 +73,11 @@ Result<std::string> read(const Span& span, const Filling& filling) {
     if (!value) {
         return value.diagnostics();
     }
-    return print_value(*value, placeholder->digits);
-}
-
-/// A number with a plain hyphen is as good as one with a minus sign.
-std::string with_minus(std::string text) {
-    return text.starts_with('-') ? "−" + text.substr(1) : text;
+    Reading reading{print_value(*value, placeholder->digits), ""};
+    if (placeholder->written && with_minus(*placeholder->written) != reading.text) {
+        reading.contradiction = print_value(*value);
+    }
+    return reading;
 }
 
 void report(Diagnostics& problems, const Span& span, const std::string& message) {
@@ -84,19 +93,17 @@ void fill_span(Span& span, const Filling& filling, Diagnostics& problems) {
     if (span.placeholder.empty()) {
         return;
     }
-    Result<std::string> text = read(span, filling);
-    if (!text) {
-        for (const Diagnostic& problem : text.diagnostics()) {
+    Result<Reading> reading = read(span, filling);
+    if (!reading) {
+        for (const Diagnostic& problem : reading.diagnostics()) {
             report(problems, span, problem.message);
         }
         return;
     }
-    const Result<Placeholder> placeholder = parse_placeholder(span.placeholder);
-    if (placeholder && placeholder->written && *text != "?" &&
-        with_minus(*placeholder->written) != *text) {
-        report(problems, span, fmt::format("the trace says {}", *text));
+    if (!reading->contradiction.empty()) {
+        report(problems, span, "the trace says " + reading->contradiction);
     }
-    span.text = std::move(*text);
+    span.text = std::move(reading->text);
     span.placeholder.clear();
     span.quoted = true;
 }

@@ -93,6 +93,9 @@ std::string describe_unknown_quantity(std::string_view name) {
 }
 
 bool is_in_group(std::string_view quantity, std::string_view group) {
+    if (quantity.starts_with(counted)) {
+        quantity.remove_prefix(counted.size()); // who hides a set hides its size
+    }
     return quantity == group ||
            (quantity.starts_with(group) && quantity.substr(group.size()).starts_with('.'));
 }

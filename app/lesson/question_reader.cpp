@@ -140,11 +140,16 @@ std::optional<Change> read_change(const toml::table& table, Complaints& complain
     Change change;
     change.place = place_of(table);
     need_text(reader, "prompt", change.prompt);
-    need_text(reader, "key", change.key);
+    if (need_text(reader, "key", change.key)) {
+        if (const std::optional<std::string> problem = describe_unknown_setting(change.key)) {
+            complaints.add(*reader.find("key"), *problem);
+        }
+    }
     const toml::array* const values =
         reader.read_array("values", "a list of values to choose from");
     for (std::size_t i = 0; values != nullptr && i < values->size(); ++i) {
-        change.values.push_back(toml_text(*values->get(i)));
+        const auto* const text = values->get(i)->as_string();
+        change.values.push_back(text != nullptr ? text->get() : toml_text(*values->get(i)));
     }
     if (change.values.size() < 2) {
         reader.complain("a change needs at least two values to choose from");

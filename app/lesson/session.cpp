@@ -160,9 +160,9 @@ void Session::fill_in_question() {
     };
     prompt_ = fill_in_text(question.prompt, question.place, filling, problems);
     if (state() == QuestionState::revealed) {
-        filling.named_values = {{"right", *right}};
+        right_answer_ = asked_part(question, *right);
+        filling.named_values = {{"right", *right_answer_}};
         reveal_ = fill_in_text(question.reveal, question.place, filling, problems);
-        right_answer_ = *right;
     }
     add_problems(problems_, std::move(problems), *lesson_);
 }
