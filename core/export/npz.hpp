@@ -1,0 +1,43 @@
+// NumPy's files: .npy headers and the .npz archive around them.
+//
+// NumPy Enhancement Proposal 1 (A Simple File Format for NumPy Arrays), format version 1.0. The
+// archive is a zip whose members are stored, not deflated.
+#pragma once
+
+#include "core/base/diagnostic.hpp"
+#include "core/export/table.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hs::exporting {
+
+/// The header of an array in row order, little-endian.
+std::string npy_header(ColumnType type, const std::vector<std::size_t>& shape);
+
+/// One member of an archive: `size` bytes, produced in order on demand.
+struct Member {
+    std::string name; ///< "vertex.clip.npy", "manifest.json"
+    std::size_t size = 0;
+    /// Writes bytes [first, first + count) to `out`; called with growing `first`.
+    std::function<void(std::size_t first, std::size_t count, std::byte* out)> produce;
+};
+
+Member text_member(std::string name, std::string text);
+/// A column of `rows` rows as a .npy member.
+Member column_member(const Column& column, std::size_t rows);
+/// An array already in memory, which must outlive the writing.
+Member
+array_member(std::string name, ColumnType type, std::vector<std::size_t> shape, const void* values);
+/// A file's content, read while writing.
+Result<Member> file_member(std::string name, const std::filesystem::path& file);
+
+/// Writes the archive whole or not at all.
+Result<Done> write_archive(const std::filesystem::path& path, std::vector<Member> members);
+
+} // namespace hs::exporting
