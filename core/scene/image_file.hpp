@@ -8,7 +8,8 @@
 
 namespace hs::scene {
 
-/// Reads any image OpenImageIO knows, at most 16384 x 16384. Gray becomes RGB, missing alpha 1, no color conversion.
+/// Reads any image OpenImageIO knows, at most 16384 x 16384. Gray becomes RGB, missing alpha 1, no
+/// color conversion.
 Result<Texture> load_texture(const std::filesystem::path& path);
 
 } // namespace hs::scene

@@ -22,11 +22,15 @@ struct Material {
     std::string name;
     glm::vec4 diffuse{1.0F, 1.0F, 1.0F, 1.0F};
     glm::vec3 specular{0.0F, 0.0F, 0.0F};
-    float shininess = 32.0F; ///< >= 0
+    float shininess = 32.0F;                  ///< >= 0
     std::shared_ptr<const Texture> texture{}; ///< may be null
 };
 
-enum class LightKind : std::uint8_t { directional, point, ambient };
+enum class LightKind : std::uint8_t {
+    directional,
+    point,
+    ambient
+};
 
 struct Light {
     LightKind kind = LightKind::directional;
@@ -35,13 +39,20 @@ struct Light {
     glm::vec3 color{1.0F, 1.0F, 1.0F};
 };
 
-/// One elementary transform, kept as written so that panels can show the steps and what-if can change one number.
+/// One elementary transform, kept as written so that panels can show the steps and what-if can
+/// change one number.
 struct TransformStep {
-    enum class Kind : std::uint8_t { translate, rotate, scale, matrix };
+    enum class Kind : std::uint8_t {
+        translate,
+        rotate,
+        scale,
+        matrix
+    };
     Kind kind = Kind::translate;
-    glm::vec3 vector{0.0F, 0.0F, 0.0F}; ///< translation, scale factors, or rotation axis (any length but 0)
-    float degrees = 0.0F;               ///< rotation only
-    glm::mat4 matrix{1.0F};             ///< Kind::matrix only
+    glm::vec3 vector{
+        0.0F, 0.0F, 0.0F};  ///< translation, scale factors, or rotation axis (any length but 0)
+    float degrees = 0.0F;   ///< rotation only
+    glm::mat4 matrix{1.0F}; ///< Kind::matrix only
 };
 
 /// An instance of a mesh. Several objects may share one mesh.
@@ -50,7 +61,8 @@ struct Object {
     std::shared_ptr<const Mesh> mesh; ///< never null
     std::optional<std::size_t> material;
     std::vector<TransformStep> transform; ///< applied right to left, like the matrices they are
-    std::vector<std::pair<std::string, SettingValue>> overrides; ///< per-object settings, already checked
+    std::vector<std::pair<std::string, SettingValue>>
+        overrides; ///< per-object settings, already checked
 };
 
 struct Scene {
@@ -70,11 +82,13 @@ glm::mat4 object_to_world(const Object& object);
 /// The frame's settings with the object's overrides applied.
 Settings object_settings(const Scene& scene, const Object& object);
 
-/// Over all objects, in file order: the number that `triangle` exports and step paths count with is per object.
+/// Over all objects, in file order: the number that `triangle` exports and step paths count with is
+/// per object.
 std::size_t triangle_count(const Scene& scene);
 
 } // namespace hs::scene
 
 namespace hs {
-template <> std::span<const Named<scene::LightKind>> names<scene::LightKind>();
+template <>
+std::span<const Named<scene::LightKind>> names<scene::LightKind>();
 } // namespace hs

@@ -1,5 +1,5 @@
-// Everything that can be chosen about a frame. One row per key in the table of settings.cpp serves scene files, `--set`,
-// lessons, the viewer's panel and the glossary alike.
+// Everything that can be chosen about a frame. One row per key in the table of settings.cpp serves
+// scene files, `--set`, lessons, the viewer's panel and the glossary alike.
 #pragma once
 
 #include "core/base/diagnostic.hpp"
@@ -18,21 +18,65 @@
 
 namespace hs::scene {
 
-enum class Visibility : std::uint8_t { none, z_buffer };
-enum class TraversalKind : std::uint8_t { brute_force, bounding_box };
-enum class CullFace : std::uint8_t { none, back, front };
-enum class Winding : std::uint8_t { ccw, cw };
-enum class Shading : std::uint8_t { unlit, flat, gouraud, phong };
-enum class InterpolationKind : std::uint8_t { perspective, linear, flat };
-enum class CompareOp : std::uint8_t {
-    never, less, lequal, equal, gequal, greater, notequal, always,
+enum class Visibility : std::uint8_t {
+    none,
+    z_buffer
 };
-enum class DepthFormat : std::uint8_t { float32, unorm24, unorm16 };
-enum class DepthConvention : std::uint8_t { opengl, direct3d, reversed };
-enum class DepthOrder : std::uint8_t { late, early };
-enum class ColorFormat : std::uint8_t { rgba8, rgba32f };
+enum class TraversalKind : std::uint8_t {
+    brute_force,
+    bounding_box
+};
+enum class CullFace : std::uint8_t {
+    none,
+    back,
+    front
+};
+enum class Winding : std::uint8_t {
+    ccw,
+    cw
+};
+enum class Shading : std::uint8_t {
+    unlit,
+    flat,
+    gouraud,
+    phong
+};
+enum class InterpolationKind : std::uint8_t {
+    perspective,
+    linear,
+    flat
+};
+enum class CompareOp : std::uint8_t {
+    never,
+    less,
+    lequal,
+    equal,
+    gequal,
+    greater,
+    notequal,
+    always,
+};
+enum class DepthFormat : std::uint8_t {
+    float32,
+    unorm24,
+    unorm16
+};
+enum class DepthConvention : std::uint8_t {
+    opengl,
+    direct3d,
+    reversed
+};
+enum class DepthOrder : std::uint8_t {
+    late,
+    early
+};
+enum class ColorFormat : std::uint8_t {
+    rgba8,
+    rgba32f
+};
 
-/// One frame's settings, or one object's after its overrides. Defaults are those of docs and scene files.
+/// One frame's settings, or one object's after its overrides. Defaults are those of docs and scene
+/// files.
 struct Settings {
     int width = 64;  ///< pixels, 1 … 8192
     int height = 64; ///< pixels, 1 … 8192
@@ -40,7 +84,8 @@ struct Settings {
     Visibility visibility = Visibility::z_buffer;
     TraversalKind traversal = TraversalKind::bounding_box;
     bool clip_enabled = true;
-    std::vector<glm::vec4> clip_planes; ///< user planes in eye space, inside where ax + by + cz + d >= 0; at most 2
+    std::vector<glm::vec4>
+        clip_planes; ///< user planes in eye space, inside where ax + by + cz + d >= 0; at most 2
     CullFace cull = CullFace::none;
     Winding front_face = Winding::ccw; ///< as seen on screen with y up
     Shading shading = Shading::unlit;
@@ -54,7 +99,8 @@ struct Settings {
     ColorFormat color_format = ColorFormat::rgba8;
     std::optional<PixelRect> viewport_choice; ///< empty: the whole image
     std::optional<PixelRect> scissor;         ///< empty: no scissor test
-    bool blend_enabled = false; ///< source alpha over destination: src·a + dst·(1 − a); alpha: a + dst_a·(1 − a)
+    bool blend_enabled =
+        false; ///< source alpha over destination: src·a + dst·(1 − a); alpha: a + dst_a·(1 − a)
 
     [[nodiscard]] CompareOp depth_test() const {
         const bool reversed = depth_convention == DepthConvention::reversed;
@@ -78,15 +124,21 @@ struct SettingValue {
 };
 
 /// How a panel edits a setting.
-enum class SettingType : std::uint8_t { boolean, number, choice, color, list };
+enum class SettingType : std::uint8_t {
+    boolean,
+    number,
+    choice,
+    color,
+    list
+};
 
 /// One row of the table of settings.
 struct SettingInfo {
-    std::string_view key;         ///< "depth.test"
+    std::string_view key; ///< "depth.test"
     SettingType type;
-    std::string_view explanation; ///< one sentence
-    std::string_view opengl;      ///< the OpenGL call behind it, "" where there is none
-    bool per_object;              ///< may stand in an object's `settings`
+    std::string_view explanation;          ///< one sentence
+    std::string_view opengl;               ///< the OpenGL call behind it, "" where there is none
+    bool per_object;                       ///< may stand in an object's `settings`
     std::vector<std::string_view> choices; ///< for SettingType::choice
 };
 
@@ -94,19 +146,23 @@ struct SettingInfo {
 std::span<const SettingInfo> setting_infos();
 const SettingInfo* find_setting(std::string_view key);
 
-/// Assigns one setting. Errors (unknown key, wrong type, out of range, NaN) come back as a sentence without location.
-std::optional<std::string> assign(Settings& settings, std::string_view key, const SettingValue& value);
+/// Assigns one setting. Errors (unknown key, wrong type, out of range, NaN) come back as a sentence
+/// without location.
+std::optional<std::string>
+assign(Settings& settings, std::string_view key, const SettingValue& value);
 
 /// The current value, defaults resolved, as TOML text: `less`-like choices come quoted.
 std::string print_setting(const Settings& settings, std::string_view key);
-/// The same as a typed value; empty for optional settings that are not set (viewport, scissor when absent).
+/// The same as a typed value; empty for optional settings that are not set (viewport, scissor when
+/// absent).
 std::optional<SettingValue> read_setting(const Settings& settings, std::string_view key);
 
-/// A combination that has no meaning (reversed depth with a user-set test is allowed; a viewport outside the image is
-/// not), in one sentence, or nothing.
+/// A combination that has no meaning (reversed depth with a user-set test is allowed; a viewport
+/// outside the image is not), in one sentence, or nothing.
 std::optional<std::string> check_combination(const Settings& settings);
 
-/// Applies the compare op to a fragment's depth and the stored one: `compare(less, z, stored)` is z < stored.
+/// Applies the compare op to a fragment's depth and the stored one: `compare(less, z, stored)` is z
+/// < stored.
 [[nodiscard]] inline bool compare(CompareOp op, float fragment, float stored) {
     switch (op) {
     case CompareOp::never: return false;
@@ -125,15 +181,26 @@ std::optional<std::string> check_combination(const Settings& settings);
 } // namespace hs::scene
 
 namespace hs {
-template <> std::span<const Named<scene::Visibility>> names<scene::Visibility>();
-template <> std::span<const Named<scene::TraversalKind>> names<scene::TraversalKind>();
-template <> std::span<const Named<scene::CullFace>> names<scene::CullFace>();
-template <> std::span<const Named<scene::Winding>> names<scene::Winding>();
-template <> std::span<const Named<scene::Shading>> names<scene::Shading>();
-template <> std::span<const Named<scene::InterpolationKind>> names<scene::InterpolationKind>();
-template <> std::span<const Named<scene::CompareOp>> names<scene::CompareOp>();
-template <> std::span<const Named<scene::DepthFormat>> names<scene::DepthFormat>();
-template <> std::span<const Named<scene::DepthConvention>> names<scene::DepthConvention>();
-template <> std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
-template <> std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
+template <>
+std::span<const Named<scene::Visibility>> names<scene::Visibility>();
+template <>
+std::span<const Named<scene::TraversalKind>> names<scene::TraversalKind>();
+template <>
+std::span<const Named<scene::CullFace>> names<scene::CullFace>();
+template <>
+std::span<const Named<scene::Winding>> names<scene::Winding>();
+template <>
+std::span<const Named<scene::Shading>> names<scene::Shading>();
+template <>
+std::span<const Named<scene::InterpolationKind>> names<scene::InterpolationKind>();
+template <>
+std::span<const Named<scene::CompareOp>> names<scene::CompareOp>();
+template <>
+std::span<const Named<scene::DepthFormat>> names<scene::DepthFormat>();
+template <>
+std::span<const Named<scene::DepthConvention>> names<scene::DepthConvention>();
+template <>
+std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
+template <>
+std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
 } // namespace hs
