@@ -43,8 +43,7 @@ PixelSet make_pixel_set(std::vector<PixelPos> pixels) {
     std::ranges::sort(pixels, [](const PixelPos& a, const PixelPos& b) {
         return a.y != b.y ? a.y < b.y : a.x < b.x;
     });
-    const auto doubles = std::ranges::unique(pixels);
-    pixels.erase(doubles.begin(), doubles.end());
+    pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
     return pixels;
 }
 
