@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <string_view>
@@ -94,20 +95,19 @@ int fail(const Diagnostics& diagnostics) {
 
 Result<Size> parse_size(const std::string& text) {
     constexpr int largest = 8192;
-    const std::size_t cross = text.find('x');
-    const auto width = parse_int(std::string_view{text}.substr(0, cross));
-    const auto height = cross == std::string::npos
-                            ? std::nullopt
-                            : parse_int(std::string_view{text}.substr(cross + 1));
-    const auto in_range = [](const std::optional<int>& n) { return n && *n >= 1 && *n <= largest; };
-    if (!in_range(width) || !in_range(height)) {
+    // 0 stands for what is no number: it is out of range anyway
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const std::string_view behind = std::string_view{text}.substr(cross);
+    const int width = parse_int(std::string_view{text}.substr(0, cross)).value_or(0);
+    const int height = behind.empty() ? 0 : parse_int(behind.substr(1)).value_or(0);
+    if (width < 1 || width > largest || height < 1 || height > largest) {
         return Diagnostic{
             .file = "--size",
             .message = fmt::format(
                 "'{}' is not a size; write WIDTHxHEIGHT with numbers from 1 to {}", text, largest
             )};
     }
-    return Size{*width, *height};
+    return Size{width, height};
 }
 
 Result<PixelPos> parse_pixel(const std::string& text) {
