@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hs::host {
@@ -112,6 +113,17 @@ std::vector<scene::TriangleIndices> visible_triangles(const Command& command, un
     return triangles;
 }
 
+/// Whether a triangle reads one texel only, and that texel is white: ImGui's plain shapes.
+bool is_plain(const std::array<const ImDrawVert*, 3>& corners, const scene::Texture& texture) {
+    const ImVec2 uv = corners[0]->uv;
+    for (const ImDrawVert* corner : corners) {
+        if (corner->uv.x != uv.x || corner->uv.y != uv.y) {
+            return false;
+        }
+    }
+    return shading::sample_nearest(texture, {uv.x, uv.y}) == glm::vec4{1.0F};
+}
+
 void draw_command(const Command& command, framebuffer::Framebuffer& framebuffer) {
     if (command.clip.empty() || command.cmd->ElemCount == 0) {
         return;
@@ -141,7 +153,18 @@ void draw_command(const Command& command, framebuffer::Framebuffer& framebuffer)
     ClippedTarget target{framebuffer, {command.clip.x0, command.clip.y0}};
     pipeline::NullTrace trace;
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    const scene::Texture* const texture = call.vertex.shading.texture;
     for (std::uint32_t i = 0; i < count; ++i) {
+        // Spare plain shapes the texture and opaque ones the blending: the same bits come out
+        const scene::TriangleIndices& t = mesh.triangles[i];
+        const std::array corners{
+            &command.vertex(first + t.a),
+            &command.vertex(first + t.b),
+            &command.vertex(first + t.c)};
+        const bool plain = is_plain(corners, *texture);
+        const ImU32 colors = corners[0]->col & corners[1]->col & corners[2]->col;
+        call.vertex.shading.texture = plain ? nullptr : texture;
+        call.settings.blend_enabled = !plain || (colors & alpha_bits) != alpha_bits;
         pipeline::draw_triangle(call, i, {}, target, trace);
     }
 }

@@ -127,6 +127,9 @@ void HeadlessHost::feed_events(viewer::Viewer& viewer) {
     ImGuiIO& io = ImGui::GetIO();
     io.KeysDown[static_cast<int>(held_)] = false;
     held_ = Key::none;
+    io.KeyCtrl = false;
+    io.KeyShift = false;
+    io.KeyAlt = false;
 
     // Stop after an event that changes what a later one means
     bool more = true;

@@ -82,11 +82,11 @@ ImFont* load(ImFontAtlas& atlas, const std::array<const char*, n>& files, float 
 } // namespace
 
 Fonts load_fonts(ImFontAtlas& atlas, float scale) {
-    constexpr float text_size = 15.0F;
-    constexpr float strong_size = 16.0F;
-    constexpr float small_size = 13.0F;
-    constexpr float mono_size = 14.0F;
-    constexpr float small_mono_size = 12.0F;
+    constexpr float text_size = 17.0F;
+    constexpr float strong_size = 18.0F;
+    constexpr float small_size = 15.0F;
+    constexpr float mono_size = 16.0F;
+    constexpr float small_mono_size = 14.0F;
     const auto pixels = [scale](float size) {
         return static_cast<float>(static_cast<int>(size * scale + 0.5F));
     };

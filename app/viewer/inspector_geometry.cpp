@@ -97,6 +97,11 @@ int lit_vertex_formula(const trace::Step& step) {
 /// One bit per plane and vertex: 1 is outside.
 void draw_outcodes(const Theme& theme, const TriangleDetail& triangle, int planes) {
     const UseFont use{theme.fonts.small_mono};
+    ImGui::Dummy({0.0F, 0.0F});
+    ImGui::SameLine(theme.units(16));
+    ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::quiet]);
+    ImGui::TextUnformatted("  v0  v1  v2");
+    ImGui::PopStyleColor();
     for (int k = 0; k < planes; ++k) {
         const auto plane = static_cast<geometry::ClipPlane>(k);
         std::string bits;
@@ -210,7 +215,7 @@ void draw_triangle_tab(Context& context) {
         draw_step_formulas(theme, list);
     }
     heading(theme, "Outcodes");
-    caption(theme, "a bit per plane for v0 v1 v2: 1 is outside");
+    caption(theme, "a bit per plane and vertex: 1 is outside");
     const int planes = context.document.recording().frame->calls()[triangle->object].volume.count;
     draw_outcodes(theme, *triangle, planes);
     draw_passes(theme, *triangle);
@@ -219,7 +224,7 @@ void draw_triangle_tab(Context& context) {
         const int number = step.has_piece() ? step.piece : 0;
         heading(
             theme,
-            several ? fmt::format("Piece {} of {}", number + 1, triangle->pieces.size())
+            several ? fmt::format("Piece {}, of {} after clipping", number, triangle->pieces.size())
                     : std::string{"Area and edges"}
         );
         draw_piece(theme, *piece);

@@ -11,14 +11,13 @@
 namespace hs::viewer {
 namespace {
 
-/// A window in the middle, above everything.
-void begin_sheet(const Theme& theme, const char* name, ImVec2 window, ImVec2 size) {
-    const ImVec2 fitted{
-        std::min(size.x, window.x - theme.units(4)), std::min(size.y, window.y - theme.units(4))};
+/// A window in the middle, above everything, as high as its content; `height` 0 or a fixed one.
+void begin_sheet(const Theme& theme, const char* name, ImVec2 window, float width, float height) {
+    const float fitted = std::min(width, window.x - theme.units(4));
     ImGui::SetNextWindowPos(
-        {std::floor((window.x - fitted.x) * 0.5F), std::floor((window.y - fitted.y) * 0.4F)}
+        {std::floor(window.x * 0.5F), std::floor(window.y * 0.42F)}, ImGuiCond_Always, {0.5F, 0.5F}
     );
-    ImGui::SetNextWindowSize(fitted);
+    ImGui::SetNextWindowSize({fitted, std::min(height, window.y - theme.units(4))});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme.units(5), theme.units(4)});
     ImGui::Begin(
@@ -35,19 +34,18 @@ void draw_group(const Theme& theme, CommandGroup group) {
         if (info.group != group) {
             continue;
         }
-        const float start = ImGui::GetCursorPosX();
         {
             const UseFont use{theme.fonts.mono};
             ImGui::TextUnformatted(to_string(info.key).c_str());
         }
-        ImGui::SameLine(start + theme.units(26));
+        ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + theme.units(30));
         ImGui::TextUnformatted(info.name.data(), info.name.data() + info.name.size());
     }
 }
 
 void draw_key_sheet(Context& context, ImVec2 window) {
     const Theme& theme = context.theme;
-    begin_sheet(theme, "keys", window, {theme.units(222), theme.units(164)});
+    begin_sheet(theme, "keys", window, theme.units(232), 0.0F);
     heading(theme, "Keys");
     ImGui::Columns(2, "key columns", false);
     draw_group(theme, CommandGroup::stepping);
@@ -104,8 +102,7 @@ void draw_prompt(Context& context, ImVec2 window) {
     const Theme& theme = context.theme;
     State& state = context.state;
     const bool opens = state.prompt == Prompt::open_file;
-    const float recent = opens ? static_cast<float>(state.recent.size()) * theme.units(6) : 0.0F;
-    begin_sheet(theme, "prompt", window, {theme.units(150), theme.units(54) + recent});
+    begin_sheet(theme, "prompt", window, theme.units(150), 0.0F);
     heading(theme, opens ? "Open" : "Go to");
     caption(
         theme,
@@ -145,7 +142,7 @@ void draw_prompt(Context& context, ImVec2 window) {
 void draw_problems(Context& context, ImVec2 window) {
     const Theme& theme = context.theme;
     const Diagnostics& problems = context.state.problems;
-    begin_sheet(theme, "problems", window, {theme.units(180), theme.units(80)});
+    begin_sheet(theme, "problems", window, theme.units(200), theme.units(90));
     heading(
         theme,
         problems.size() == 1 ? std::string{"This file has a problem"}
@@ -166,7 +163,7 @@ void draw_problems(Context& context, ImVec2 window) {
 void draw_progress(Context& context, ImVec2 window) {
     const Theme& theme = context.theme;
     const Background& work = context.viewer.background();
-    begin_sheet(theme, "progress", window, {theme.units(90), theme.units(32)});
+    begin_sheet(theme, "progress", window, theme.units(90), 0.0F);
     words(theme, work.title());
     ImGui::ProgressBar(static_cast<float>(work.progress()), {-1.0F, theme.units(5)}, "");
     if (button(theme, "stop", "Esc")) {

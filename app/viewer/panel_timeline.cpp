@@ -148,7 +148,10 @@ bool transport_button(Context& context, const Transport& t) {
     for (int i = 0; i < t.arrows; ++i) {
         const float tip = t.back ? x : x + size * 1.6F;
         const float base = t.back ? x + size * 1.6F : x;
-        list.AddTriangleFilled({base, middle - size}, {base, middle + size}, {tip, middle}, color);
+        // Clockwise, as ImGui's smoothing of edges wants it
+        const float top = t.back ? middle + size : middle - size;
+        const float bottom = t.back ? middle - size : middle + size;
+        list.AddTriangleFilled({base, top}, {tip, middle}, {base, bottom}, color);
         x += size * 1.6F;
     }
     if (t.bar) {

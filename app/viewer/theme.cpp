@@ -43,9 +43,9 @@ constexpr std::array<StageColor, trace::stage_count> stage_colors{{
     {0x9fa8b5, 0x56606d}, // application
     {0x3fbf92, 0x00704f}, // vertex
     {0xe69f00, 0x9a5200}, // clip
-    {0xcc79a7, 0x9b3f74}, // divide
+    {0xd184b0, 0x9b3f74}, // divide
     {0x56b4e9, 0x0066a8}, // viewport
-    {0xe0824f, 0xb04a00}, // cull
+    {0xe0824f, 0xa84600}, // cull
     {0xb7a3f0, 0x5b46a8}, // setup
     {0xf0e442, 0x6b6400}, // traverse
     {0xf29bb6, 0xa53a5f}, // shade

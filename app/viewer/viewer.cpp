@@ -219,6 +219,22 @@ void Viewer::play(double seconds) {
     state_.playing = document_.player().advance(state_.granularity, trace::Direction::forward);
 }
 
+/// Panels cover the window but for one pixel between them.
+void Viewer::draw_hairlines() const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Layout& l = layout_;
+    for (const Rect& above : {l.menu, l.strip, l.left, l.sentence}) {
+        list.AddRectFilled(
+            {0.0F, above.bottom()}, {l.menu.width, above.bottom() + 1.0F}, theme_[Tone::hairline]
+        );
+    }
+    for (const Rect& right : {l.screen, l.space, l.inspector}) {
+        list.AddRectFilled(
+            {right.x - 1.0F, right.y}, {right.x, right.bottom()}, theme_[Tone::hairline]
+        );
+    }
+}
+
 void Viewer::draw(ImVec2 size, Textures& textures) {
     if (std::optional<Opened> opened = background_.take()) {
         receive(std::move(*opened));
@@ -232,17 +248,17 @@ void Viewer::draw(ImVec2 size, Textures& textures) {
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme_[Tone::hairline]);
     ImGui::Begin(
         "halfspace",
         nullptr,
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-            ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse
+            ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus |
+            ImGuiWindowFlags_NoScrollWithMouse
     );
-    ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PushFont(theme_.fonts.text);
 
+    draw_hairlines();
     Context context{*this, document_, state_, theme_, textures};
     draw_menu(context, layout_.menu);
     draw_strip(context, layout_.strip);

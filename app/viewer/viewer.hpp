@@ -101,6 +101,7 @@ private:
     void nudge(int dx, int dy);
     void change_granularity(int direction);
     void play(double seconds);
+    void draw_hairlines() const;
     void close_top();
     bool run_stepping(Command command);
     bool run_view(Command command);

@@ -94,10 +94,8 @@ bool button(
 ) {
     const bool disabled = !why.empty();
     if (lit) {
-        ImGui::PushStyleColor(ImGuiCol_Button, theme[Tone::accent]);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme[Tone::accent]);
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme[Tone::accent]);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::on_accent]);
+        ImGui::PushStyleColor(ImGuiCol_Button, theme[Tone::hovered]);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::accent]);
     } else if (disabled) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::quiet]);
     }
@@ -107,7 +105,14 @@ bool button(
     ImGui::PopStyleVar();
     ImGui::EndDisabled();
     if (lit || disabled) {
-        ImGui::PopStyleColor(lit ? 4 : 1);
+        ImGui::PopStyleColor(lit ? 2 : 1);
+    }
+    if (lit) {
+        const ImVec2 min = ImGui::GetItemRectMin();
+        const ImVec2 max = ImGui::GetItemRectMax();
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            {min.x, max.y - theme.pixels(2)}, max, theme[Tone::accent]
+        );
     }
     tooltip(disabled ? why : tip);
     return clicked;
@@ -181,11 +186,12 @@ std::string shorten_front(ImFont* font, std::string_view text, float width) {
 }
 
 void draw_mark(ImDrawList& list, ImVec2 center, float size, bool passed, const Theme& theme) {
-    const float up = passed ? -size : size;
+    // Clockwise, as ImGui's smoothing of edges wants it
+    const float toward = passed ? -1.0F : 1.0F;
     list.AddTriangleFilled(
-        {center.x - size, center.y - up * 0.75F},
-        {center.x + size, center.y - up * 0.75F},
-        {center.x, center.y + up * 0.75F},
+        {center.x, center.y + toward * size * 0.75F},
+        {center.x - toward * size, center.y - toward * size * 0.75F},
+        {center.x + toward * size, center.y - toward * size * 0.75F},
         theme[passed ? Tone::pass : Tone::fail]
     );
 }

@@ -128,8 +128,10 @@ std::string edge_sentence(const std::string& who, const Step& step, const StepDe
         for (unsigned k = 0; k < 3; ++k) {
             const std::int64_t e = detail.visit->edges[k];
             if (e < 0) {
-                edges +=
-                    fmt::format("{}{} = {} < 0", edges.empty() ? "" : ", ", names[k], whole(e));
+                const float square_pixels = static_cast<float>(e) / 65536.0F;
+                edges += fmt::format(
+                    "{}{} = {} px² < 0", edges.empty() ? "" : ", ", names[k], number(square_pixels)
+                );
             }
         }
     }

@@ -1,0 +1,126 @@
+// Keys that move the playhead.
+#include "tests/app/window.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace hs;
+using test::Window;
+using viewer::Key;
+
+TEST_CASE("→ steps at the chosen granularity and ← takes it back", "[app]") {
+    const auto window = Window::with_scene();
+    window->key(Key::home);
+    REQUIRE(window->step() == 0);
+    std::vector<trace::StepId> stops{0};
+    for (int i = 0; i < 6; ++i) {
+        window->key(Key::right);
+        CHECK(window->step() > stops.back());
+        stops.push_back(window->step());
+    }
+    for (std::size_t i = stops.size() - 1; i-- > 0;) {
+        window->key(Key::left);
+        CHECK(window->step() == stops[i]);
+    }
+}
+
+TEST_CASE("Shift reverses a stepping key", "[app]") {
+    const auto window = Window::with_scene();
+    window->key(Key::home);
+    window->key(Key::period);
+    window->key(Key::period);
+    CHECK(window->step() == 2);
+    window->key(Key::period, false, true);
+    CHECK(window->step() == 1);
+    window->key(Key::comma, false, true);
+    CHECK(window->step() == 2);
+}
+
+TEST_CASE("↑ and ↓ choose the granularity and stop at its ends", "[app]") {
+    const auto window = Window::with_scene();
+    REQUIRE(window->state().granularity == trace::Granularity::triangle);
+    window->key(Key::down);
+    CHECK(window->state().granularity == trace::Granularity::scanline);
+    for (int i = 0; i < 5; ++i) {
+        window->key(Key::down);
+    }
+    CHECK(window->state().granularity == trace::Granularity::operation);
+    for (int i = 0; i < 9; ++i) {
+        window->key(Key::up);
+    }
+    CHECK(window->state().granularity == trace::Granularity::stage);
+}
+
+TEST_CASE("Home shows the cleared framebuffer and End the finished one", "[app]") {
+    const auto window = Window::with_scene();
+    window->key(Key::home);
+    CHECK(window->viewer.document().player().counters() == trace::Counters{});
+    window->key(Key::end);
+    CHECK(window->step() == window->viewer.document().player().end());
+}
+
+TEST_CASE("Space plays until the end and pauses there", "[app]") {
+    const auto window = Window::with_scene();
+    window->key(Key::home);
+    window->key(Key::space);
+    REQUIRE(window->state().playing);
+    for (int i = 0; i < 100 && window->state().playing; ++i) {
+        window->host.frame(window->viewer, 1.0F);
+    }
+    CHECK_FALSE(window->state().playing);
+    CHECK(window->step() == window->viewer.document().player().end());
+}
+
+TEST_CASE("a click on a stage of the strip goes to that stage", "[app]") {
+    const auto window = Window::with_scene();
+    window->key(Key::home);
+    const viewer::Rect strip = window->viewer.layout().strip;
+    const float width = strip.width / static_cast<float>(trace::stage_count);
+    for (const trace::Stage stage :
+         {trace::Stage::clip, trace::Stage::setup, trace::Stage::merge, trace::Stage::vertex}) {
+        const float x = width * (static_cast<float>(stage) + 0.5F);
+        window->click({x, strip.y + strip.height * 0.5F});
+        const trace::StepKind kind = window->viewer.document().player().current().kind;
+        CHECK(trace::stage_of(kind) == stage);
+    }
+}
+
+TEST_CASE("dragging along the timeline scrubs", "[app]") {
+    const auto window = Window::with_scene();
+    const viewer::Rect timeline = window->viewer.layout().timeline;
+    const float y = timeline.y + 24.0F;
+    window->host.move_mouse(timeline.width * 0.5F, y);
+    window->host.press(host::MouseButton::left);
+    window->settle();
+    const trace::StepId middle = window->step();
+    window->host.move_mouse(timeline.width * 0.75F, y);
+    window->host.release(host::MouseButton::left);
+    window->settle();
+    CHECK(middle > 0);
+    CHECK(window->step() > middle);
+}
+
+TEST_CASE("Ctrl+G goes to a written step and says what does not exist", "[app]") {
+    const auto window = Window::with_scene();
+    window->key(Key::g, true);
+    REQUIRE(window->state().prompt == viewer::Prompt::go_to);
+    window->host.text("object 9");
+    window->key(Key::enter);
+    CHECK(window->state().prompt == viewer::Prompt::go_to);
+    CHECK_FALSE(window->state().prompt_error.empty());
+    window->key(Key::escape);
+    CHECK(window->state().prompt == viewer::Prompt::none);
+
+    window->key(Key::g, true);
+    window->host.text("#7");
+    window->key(Key::enter);
+    CHECK(window->state().prompt == viewer::Prompt::none);
+    CHECK(window->step() == 7);
+}
+
+TEST_CASE("keys typed into a field do not step", "[app]") {
+    const auto window = Window::with_scene();
+    const trace::StepId before = window->step();
+    window->key(Key::g, true);
+    window->key(Key::left);
+    window->key(Key::home);
+    CHECK(window->step() == before);
+}
