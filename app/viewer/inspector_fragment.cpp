@@ -12,8 +12,6 @@
 namespace hs::viewer {
 namespace {
 
-constexpr float row_pixels = 22.0F;
-
 void swatch(const Theme& theme, const glm::vec4& color) {
     const float side = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -141,7 +139,10 @@ void history_row(Context& context, const trace::HistoryRow& row) {
     ImGui::SetCursorScreenPos({at.x + line + theme.units(1), at.y});
     swatch(theme, row.after);
     ImGui::SameLine();
-    ImGui::TextUnformatted(fmt::format("{}", row.frame_triangle).c_str());
+    const bool several = context.document.recording().objects.size() > 1;
+    const std::string number = several ? fmt::format("{} / {}", row.object, row.triangle)
+                                       : fmt::format("{}", row.triangle);
+    ImGui::TextUnformatted(number.c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(explain::number(row.depth).c_str());
     ImGui::TableNextColumn();
@@ -156,13 +157,14 @@ void draw_rows(Context& context, const trace::PixelHistory& history) {
     if (!ImGui::BeginTable("history", 3, flags)) {
         return;
     }
-    ImGui::TableSetupColumn("triangle", 0, 1.1F);
+    const bool several = context.document.recording().objects.size() > 1;
+    ImGui::TableSetupColumn(several ? "object / tri" : "triangle", 0, 1.2F);
     ImGui::TableSetupColumn("depth", 0, 0.8F);
     ImGui::TableSetupColumn("fate", 0, 1.1F);
     ImGui::TableHeadersRow();
     end_row(context, "initial", history.initial_color, history.initial_depth);
     ImGuiListClipper clipper; // a pixel may have thousands of fragments
-    clipper.Begin(static_cast<int>(history.rows.size()), context.theme.pixels(row_pixels));
+    clipper.Begin(static_cast<int>(history.rows.size()));
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             history_row(context, history.rows[static_cast<std::size_t>(i)]);

@@ -19,7 +19,8 @@ public:
           left_(start_.x + indent),
           right_(start_.x + ImGui::GetContentRegionAvail().x),
           x_(left_),
-          y_(start_.y) {}
+          y_(start_.y),
+          widest_(start_.x) {}
 
     void word(ImFont* font, std::string_view text, ImU32 color, bool on_ground) {
         const ImVec2 size = text_size(font, text);
@@ -34,6 +35,7 @@ public:
         const std::string shown = shorten(font, text, right_ - left_);
         draw_text(list, font, {x_, y}, color, shown);
         x_ += size.x;
+        widest_ = std::max(widest_, std::min(x_, right_));
     }
     void space(ImFont* font) {
         if (x_ > left_) {
@@ -48,7 +50,7 @@ public:
     void finish(float after) {
         const float height = y_ + line() - start_.y + after;
         ImGui::SetCursorScreenPos(start_);
-        ImGui::Dummy({0.0F, height});
+        ImGui::Dummy({widest_ - start_.x, height}); // columns of tables take their width from it
         ImGui::SetCursorScreenPos({start_.x, start_.y + height});
     }
     [[nodiscard]] float line() const { return theme_.fonts.text->FontSize * 1.25F; }
@@ -60,6 +62,7 @@ private:
     float right_;
     float x_;
     float y_;
+    float widest_;
 };
 
 struct Style {
@@ -98,9 +101,7 @@ void draw_spans(Pen& pen, const Theme& theme, const lesson::Spans& spans, bool h
 
 /// Keeps its line breaks; long lines wrap where the column ends.
 void draw_code(const Theme& theme, const lesson::Block& block) {
-    for (const lesson::Span& span : block.spans) {
-        mono(theme, span.text);
-    }
+    mono(theme, lesson::to_plain_text(block.spans));
     ImGui::Dummy({0.0F, theme.units(1)});
 }
 
@@ -109,8 +110,9 @@ void draw_table(const Theme& theme, const lesson::Block& block) {
         return;
     }
     const int columns = static_cast<int>(block.cells.front().size());
+    const ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
     ImGui::PushID(&block);
-    if (ImGui::BeginTable("table", columns, ImGuiTableFlags_BordersInnerH)) {
+    if (ImGui::BeginTable("table", columns, flags)) {
         for (std::size_t r = 0; r < block.cells.size(); ++r) {
             ImGui::TableNextRow();
             for (const lesson::Spans& cell : block.cells[r]) {

@@ -200,8 +200,11 @@ void draw_edge_line(const Canvas& canvas, const trace::PieceDetail& piece, unsig
     const float away = canvas.theme.units(5);
     const ImVec2 middle{(a.x + b.x) * 0.5F, (a.y + b.y) * 0.5F};
     for (const float side : {1.0F, -1.0F}) {
-        const ImVec2 at{middle.x + side * away * ga / g, middle.y + side * away * gb / g};
         const float radius = canvas.theme.units(2);
+        const Rect& area = canvas.view.area;
+        const ImVec2 at{
+            std::clamp(middle.x + side * away * ga / g, area.x + radius, area.right() - radius),
+            std::clamp(middle.y + side * away * gb / g, area.y + radius, area.bottom() - radius)};
         canvas.list.AddCircleFilled(at, radius, canvas.theme[Tone::panel], 16);
         const char* const sign = side > 0.0F ? "+" : "−";
         const ImVec2 size = text_size(canvas.theme.fonts.mono, sign);

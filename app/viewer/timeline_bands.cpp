@@ -46,7 +46,9 @@ void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t
     unit_.clear();
     unit_range_.first = recording.triangles[triangle].first_step;
     unit_range_.last = trace::last_step_of_triangle(recording, triangle);
-    unit_range_.label = fmt::format("triangle {}", triangle);
+    const std::uint32_t object = recording.object_of_triangle(triangle);
+    unit_range_.label =
+        fmt::format("triangle {}", triangle - recording.objects[object].first_triangle);
     const trace::StepId count = unit_range_.last - unit_range_.first + 1;
     const trace::StepId stride = (count + most_asked - 1) / most_asked;
     for (trace::StepId id = unit_range_.first; id <= unit_range_.last; id += stride) {
