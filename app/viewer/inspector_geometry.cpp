@@ -1,5 +1,6 @@
 // The inspector's tabs for a vertex and for a triangle.
 #include "app/viewer/formula_view.hpp"
+#include "app/viewer/lesson_hiding.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -44,7 +45,8 @@ void choose_corner(Context& context, const TriangleDetail& triangle) {
 }
 
 /// The same vertex in every space, one line each.
-void draw_spaces(const Theme& theme, const VertexDetail& vertex) {
+void draw_spaces(Context& context, const VertexDetail& vertex) {
+    const Theme& theme = context.theme;
     struct Line {
         const char* name;
         std::string numbers;
@@ -72,7 +74,7 @@ void draw_spaces(const Theme& theme, const VertexDetail& vertex) {
                 "{:>9} {:>9} {:>9}", explain::number(x), explain::number(y), explain::number(z)
             );
         };
-        lines.push_back({"NDC", three(ndc.x, ndc.y, ndc.z)});
+        lines.push_back({"ndc", three(ndc.x, ndc.y, ndc.z)});
         lines.push_back({"window", three(window.x, window.y, window.depth)});
     }
     const UseFont use{theme.fonts.small_mono};
@@ -81,7 +83,8 @@ void draw_spaces(const Theme& theme, const VertexDetail& vertex) {
         ImGui::TextUnformatted(line.name);
         ImGui::PopStyleColor();
         ImGui::SameLine(theme.units(13));
-        ImGui::TextUnformatted(line.numbers.c_str());
+        const bool hidden = hides_space(context.viewer, line.name);
+        ImGui::TextUnformatted(hidden ? "        ?" : line.numbers.c_str());
     }
     if (vertex.window.status == geometry::WindowStatus::at_eye) {
         caption(theme, "w = 0: no perspective divide, no place in the window.", Tone::fail);
@@ -92,6 +95,18 @@ int lit_vertex_formula(const trace::Step& step) {
     return step.in_vertex_stage()
                ? static_cast<int>(step.kind) - static_cast<int>(trace::StepKind::vertex_world)
                : -1;
+}
+
+/// What this step computed comes first, so that it is in sight.
+void draw_vertex_formulas(const Theme& theme, const std::vector<explain::Formula>& list, int lit) {
+    if (lit >= 0 && lit < static_cast<int>(list.size())) {
+        draw_formula(theme, list[static_cast<std::size_t>(lit)], true);
+    }
+    for (int i = 0; i < static_cast<int>(list.size()); ++i) {
+        if (i != lit) {
+            draw_formula(theme, list[static_cast<std::size_t>(i)], false);
+        }
+    }
 }
 
 /// One bit per plane and vertex: 1 is outside.
@@ -176,13 +191,15 @@ void draw_vertex_tab(Context& context) {
         return;
     }
     heading(theme, fmt::format("Vertex {} of object {}", vertex->vertex, vertex->object));
-    draw_spaces(theme, *vertex);
+    draw_spaces(context, *vertex);
     ImGui::Dummy({0.0F, theme.units(1)});
     ImGui::Separator();
     const std::vector<explain::Formula> list = explain::vertex_formulas(*vertex);
     const int lit = lit_vertex_formula(context.document.player().current());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        draw_formula(theme, list[i], static_cast<int>(i) == lit);
+    if (hides_numbers(context.viewer)) {
+        caption(theme, hidden_note);
+    } else {
+        draw_vertex_formulas(theme, list, lit);
     }
     draw_matrix(theme, "model: object to world", vertex->transforms.model.matrix);
     draw_matrix(theme, "view: world to eye", vertex->transforms.view.matrix);

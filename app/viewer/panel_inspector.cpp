@@ -1,5 +1,6 @@
 // The inspector: every number of the current step with the formula it came from.
 #include "app/viewer/formula_view.hpp"
+#include "app/viewer/lesson_hiding.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -7,6 +8,14 @@
 #include <vector>
 
 namespace hs::viewer {
+
+namespace {
+
+bool shows_answers(InspectorTab tab) {
+    return tab != InspectorTab::vertex && tab != InspectorTab::state;
+}
+
+} // namespace
 
 void draw_inspector(Context& context, const Rect& rect) {
     const Theme& theme = context.theme;
@@ -28,6 +37,8 @@ void draw_inspector(Context& context, const Rect& rect) {
             "The numbers behind every step will stand here: matrices, clip distances, edge "
             "functions, weights, tests."
         );
+    } else if (hides_beyond_vertex(context.viewer) && shows_answers(context.state.tab)) {
+        empty_note(theme, hidden_note);
     } else {
         switch (context.state.tab) {
         case InspectorTab::vertex: draw_vertex_tab(context); break;

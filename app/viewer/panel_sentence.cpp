@@ -1,4 +1,5 @@
 // One sentence about the current step, always in sight.
+#include "app/viewer/lesson_hiding.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -13,6 +14,10 @@ void draw_sentence(Context& context, const Rect& rect) {
                            ? context.document.sentence()
                            : "Open a scene, a mesh or a lesson with Ctrl+O, or drop its file here. "
                              "Press ? for all keys.";
+    if (open && hides_numbers(context.viewer)) {
+        text = trace::step_path(context.document.player().current()) +
+               ": its numbers appear when the lesson's question is answered.";
+    }
     const bool notice = !context.state.notice.empty();
     if (notice) {
         text = context.state.notice + "  " + text;

@@ -33,7 +33,7 @@ public:
 private:
     std::optional<SettingValue> list() {
         SettingValue::List entries;
-        while (!(skip_spaces(), take("]"))) {
+        for (skip_spaces(); !take("]"); skip_spaces()) {
             const std::optional<SettingValue> entry = value();
             if (!entry) {
                 return std::nullopt;

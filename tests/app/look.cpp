@@ -30,8 +30,8 @@ void for_each_view(Window& window, Visit&& visit) {
 } // namespace
 
 TEST_CASE("no panel cuts its text at 1280 × 720 and 1920 × 1080", "[app]") {
-    for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{1920, 1080}}) {
-        const auto window = Window::with_scene(width, height);
+    for (const std::pair<int, int>& size : {std::pair{1280, 720}, std::pair{1920, 1080}}) {
+        const auto window = Window::with_scene(size.first, size.second);
         window->viewer.select({8, 3});
         for (const char* step :
              {"start",
@@ -43,7 +43,7 @@ TEST_CASE("no panel cuts its text at 1280 × 720 and 1920 × 1080", "[app]") {
               "end"}) {
             REQUIRE_FALSE(window->viewer.go_to(step));
             for_each_view(*window, [&] {
-                INFO(width << " × " << height << " at " << step);
+                INFO(size.first << " × " << size.second << " at " << step);
                 for (const host::CutGlyph& cut : window->host.cut_text()) {
                     FAIL_CHECK("cut at " << cut.x << ", " << cut.y);
                 }

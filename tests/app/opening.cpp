@@ -1,6 +1,9 @@
 // Files in: dropped, typed, wrong; and settings that record the frame anew.
+#include "app/lesson/session.hpp"
+#include "app/viewer/lesson_hiding.hpp"
 #include "tests/app/window.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/paths.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -93,4 +96,23 @@ TEST_CASE("settings without meaning are refused in a sentence", "[app]") {
     scene::Settings settings = window->viewer.document().scene().settings;
     settings.viewport_choice = PixelRect{0, 0, 99, 99};
     CHECK(window->viewer.change_settings(settings).has_value());
+}
+
+TEST_CASE("a lesson's hidden numbers stay hidden until its question is answered", "[app]") {
+    Window window;
+    window.viewer.open(test::source_dir() / "lessons" / "01-one-triangle");
+    window.settle();
+    lesson::Session* session = window.viewer.session();
+    REQUIRE(session != nullptr);
+    std::size_t step = 0;
+    while (step < session->lesson().steps.size() && !viewer::hides_space(window.viewer, "ndc")) {
+        window.viewer.go_to_lesson_step(step++);
+    }
+    REQUIRE(viewer::hides_space(window.viewer, "ndc"));
+    CHECK(viewer::hides_space(window.viewer, "window"));
+    CHECK(session->state() == lesson::QuestionState::open);
+    window.settle();
+    CHECK(window.host.cut_text().empty());
+    session->give_up();
+    CHECK_FALSE(viewer::hides_numbers(window.viewer));
 }
