@@ -1,14 +1,12 @@
 // Runs a fuzzer's function over files, for builds without libFuzzer.
 
-#include <cstddef>
-#include <cstdint>
+#include "tests/fuzz/target.hpp"
+
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <vector>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 int main(int argc, char** argv) {
     int replayed = 0;
