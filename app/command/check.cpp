@@ -5,7 +5,6 @@
 #include "app/lesson/lesson.hpp"
 #include "app/lesson/library.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace hs::command {
@@ -21,9 +20,32 @@ Diagnostics problems_of(const std::filesystem::path& path) {
     return opened ? lesson::check_lesson(*opened) : opened.diagnostics();
 }
 
+std::string
+as_text(const std::filesystem::path& lesson, const Diagnostics& problems, const Common& common) {
+    if (problems.empty()) {
+        return common.quiet ? "" : lesson.string() + ": all is well\n";
+    }
+    std::string text;
+    for (const Diagnostic& problem : problems) {
+        text += problem.to_string() + '\n';
+    }
+    return text;
+}
+
+nlohmann::ordered_json as_json(const std::filesystem::path& lesson, const Diagnostics& problems) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Diagnostic& problem : problems) {
+        list.push_back(
+            {{"file", problem.file},
+             {"line", problem.line},
+             {"column", problem.column},
+             {"message", problem.message}}
+        );
+    }
+    return {{"lesson", lesson.string()}, {"problems", list}};
+}
+
 int check(const Options& options, const Common& common) {
-    nlohmann::ordered_json document = nlohmann::ordered_json::array();
-    bool good = true;
     for (const std::filesystem::path& path : options.lessons) {
         if (!lesson::is_lesson(path)) {
             return fail(
@@ -31,24 +53,17 @@ int check(const Options& options, const Common& common) {
                   .message = "is not a lesson; name a folder with a lesson.md, or the file"}}
             );
         }
+    }
+    nlohmann::ordered_json document = nlohmann::ordered_json::array();
+    std::string text;
+    bool good = true;
+    for (const std::filesystem::path& path : options.lessons) {
         const Diagnostics problems = problems_of(path);
         good = good && problems.empty();
-        nlohmann::ordered_json lines = nlohmann::ordered_json::array();
-        for (const Diagnostic& problem : problems) {
-            lines.push_back(problem.to_string());
-            if (!common.json) {
-                fmt::print("{}\n", problem.to_string());
-            }
-        }
-        document.push_back({{"lesson", path.string()}, {"problems", lines}});
-        if (!common.json && !common.quiet && problems.empty()) {
-            fmt::print("{}: all is well\n", path.string());
-        }
+        text += as_text(path, problems, common);
+        document.push_back(as_json(path, problems));
     }
-    if (common.json) {
-        fmt::print("{}\n", document.dump());
-    }
-    return good ? status_done : status_no;
+    return print(common.json ? document.dump() + '\n' : text, good ? status_done : status_no);
 }
 
 } // namespace
@@ -57,6 +72,8 @@ Command add_check(CLI::App& program, const Common& common) {
     auto options = std::make_shared<Options>();
     CLI::App* app = program.add_subcommand(
         "check", "Verify lessons: scenes, steps, quoted numbers, questions and answers"
+    );
+    app->footer("Exit status 1 when something does not hold. Example:\n  halfspace check lessons/*/"
     );
     app->add_option("LESSON", options->lessons, "lesson folders or lesson.md files")->required();
     return {app, [options, &common] { return check(*options, common); }};

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace hs::command {
 namespace {
@@ -17,97 +17,97 @@ struct Options {
     std::filesystem::path file;
     std::string pixel;
     std::string at;
+    bool csv = false;
     std::filesystem::path out;
 };
 
-/// Rows decided up to the step the playhead stands on.
-void forget_the_future(trace::PixelHistory& history, const trace::Player& player) {
+/// A pixel's fragments up to a step, and the steps they ended with.
+struct Story {
+    trace::PixelHistory history;
+    std::vector<trace::Step> ends; ///< by row
+};
+
+Story tell(const trace::Player& player, PixelPos pixel) {
+    constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
+    const trace::Recording& recording = player.recording();
+    Story story{trace::pixel_history(recording, pixel, everything), {}};
+
+    // Forget what comes after the step
+    trace::PixelHistory& history = story.history;
     while (!history.rows.empty() && history.rows.back().fragment >= player.fragments_done()) {
         history.final_color = history.rows.back().before;
         history.final_depth = history.rows.back().stored_depth;
         history.rows.pop_back();
     }
+    for (const trace::HistoryRow& row : history.rows) {
+        story.ends.push_back(
+            trace::describe_step(recording, trace::last_step_of_fragment(recording, row.fragment))
+        );
+    }
+    return story;
 }
 
 std::string color_text(const glm::vec4& c) {
     return fmt::format("{:.4f} {:.4f} {:.4f} {:.4f}", c.r, c.g, c.b, c.a);
 }
 
-std::string as_table(const trace::PixelHistory& history) {
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(
-        out,
-        "pixel {},{} counted from the top left\n{:>10} {:>7} {:>9} {:>11} {:>11}  {:<14} {}\n",
-        history.pixel.x,
-        history.pixel.y,
-        "fragment",
-        "object",
-        "triangle",
-        "depth",
-        "stored",
-        "fate",
-        "color after"
-    );
-    fmt::format_to(
-        out,
-        "{:>10} {:>7} {:>9} {:>11} {:>11.8f}  {:<14} {}\n",
-        "initial",
+/// A line of the table; empty texts leave their column blank.
+std::string table_line(
+    std::string_view step,
+    std::string_view triangle,
+    std::string_view depths,
+    std::string_view fate,
+    std::string_view color
+) {
+    return fmt::format("{:>12}  {:<26} {:>23}  {:<14}  {}\n", step, triangle, depths, fate, color);
+}
+
+std::string as_table(const Story& story) {
+    const trace::PixelHistory& history = story.history;
+    std::string text =
+        fmt::format("pixel {},{} counted from the top left\n", history.pixel.x, history.pixel.y);
+    text += table_line("step", "", "depth      stored", "fate", "color after: r g b a");
+    text += table_line(
         "",
-        "",
-        "",
-        history.initial_depth,
+        "before",
+        fmt::format("{:.8f}", history.initial_depth),
         "",
         color_text(history.initial_color)
     );
-    for (const trace::HistoryRow& row : history.rows) {
-        fmt::format_to(
-            out,
-            "{:>10} {:>7} {:>9} {:>11.8f} {:>11.8f}  {:<14} {}\n",
-            row.fragment,
-            row.object,
-            row.triangle,
-            row.depth,
-            row.stored_depth,
+    for (std::size_t i = 0; i < history.rows.size(); ++i) {
+        const trace::HistoryRow& row = history.rows[i];
+        text += table_line(
+            fmt::format("#{}", story.ends[i].id),
+            fmt::format("object {} / triangle {}", row.object, row.triangle),
+            fmt::format("{:.8f}  {:.8f}", row.depth, row.stored_depth),
             name_of(row.fate),
             color_text(row.after)
         );
     }
-    fmt::format_to(
-        out,
-        "{:>10} {:>7} {:>9} {:>11} {:>11.8f}  {:<14} {}\n",
-        "final",
-        "",
-        "",
-        "",
-        history.final_depth,
-        "",
-        color_text(history.final_color)
+    text += table_line(
+        "", "after", fmt::format("{:.8f}", history.final_depth), "", color_text(history.final_color)
     );
-    return fmt::to_string(text);
+    return text;
 }
 
-std::string as_csv(const trace::PixelHistory& history) {
+std::string as_csv(const Story& story) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
     fmt::format_to(
-        out, "fragment,object,triangle,depth,stored_depth,fate,after.r,after.g,after.b,after.a\n"
+        out,
+        "step,fragment,object,triangle,depth,stored_depth,fate,before.r,before.g,before.b,before.a,"
+        "after.r,after.g,after.b,after.a\n"
     );
-    for (const trace::HistoryRow& row : history.rows) {
+    for (std::size_t i = 0; i < story.ends.size(); ++i) {
+        const trace::HistoryRow& row = story.history.rows[i];
         fmt::format_to(
-            out,
-            "{},{},{},{},{},{},{},{},{},{}\n",
-            row.fragment,
-            row.object,
-            row.triangle,
-            row.depth,
-            row.stored_depth,
-            name_of(row.fate),
-            row.after.r,
-            row.after.g,
-            row.after.b,
-            row.after.a
+            out, "{},{},{},{}", story.ends[i].id, row.fragment, row.object, row.triangle
         );
+        fmt::format_to(out, ",{},{},{}", row.depth, row.stored_depth, name_of(row.fate));
+        for (const glm::vec4& color : {row.before, row.after}) {
+            fmt::format_to(out, ",{},{},{},{}", color.r, color.g, color.b, color.a);
+        }
+        fmt::format_to(out, "\n");
     }
     return fmt::to_string(text);
 }
@@ -116,15 +116,19 @@ nlohmann::ordered_json color_json(const glm::vec4& c) {
     return {c.r, c.g, c.b, c.a};
 }
 
-std::string as_json(const trace::PixelHistory& history) {
+std::string as_json(const Story& story) {
+    const trace::PixelHistory& history = story.history;
     nlohmann::ordered_json document{
         {"pixel", {history.pixel.x, history.pixel.y}},
-        {"initial",
+        {"before",
          {{"color", color_json(history.initial_color)}, {"depth", history.initial_depth}}},
         {"fragments", nlohmann::ordered_json::array()}};
-    for (const trace::HistoryRow& row : history.rows) {
+    for (std::size_t i = 0; i < story.ends.size(); ++i) {
+        const trace::HistoryRow& row = history.rows[i];
         document["fragments"].push_back(
-            {{"fragment", row.fragment},
+            {{"step", story.ends[i].id},
+             {"path", trace::step_path(story.ends[i])},
+             {"fragment", row.fragment},
              {"object", row.object},
              {"triangle", row.triangle},
              {"depth", row.depth},
@@ -134,17 +138,52 @@ std::string as_json(const trace::PixelHistory& history) {
              {"fate", name_of(row.fate)}}
         );
     }
-    document["final"] = {
+    document["after"] = {
         {"color", color_json(history.final_color)}, {"depth", history.final_depth}};
     return document.dump() + '\n';
 }
 
+Diagnostic outside(PixelPos pixel, const trace::Recording& recording) {
+    return {
+        .file = "--pixel",
+        .message = fmt::format(
+            "{},{} lies outside the image; pixels are 0,0 to {},{}",
+            pixel.x,
+            pixel.y,
+            recording.width() - 1,
+            recording.height() - 1
+        )};
+}
+
+/// Everything that can be refused before the frame is recorded.
+Result<PixelPos> check_options(const Options& options) {
+    if (!options.out.empty()) {
+        if (const auto format = output_format(options.out, {".csv", ".json"}); !format) {
+            return format.diagnostics();
+        }
+        if (const Result<Done> good = exporting::check_writable(options.out); !good) {
+            return good.diagnostics();
+        }
+    }
+    return parse_pixel(options.pixel);
+}
+
+int show(const Story& story, const Options& options, const Common& common) {
+    if (!options.out.empty()) {
+        const bool json = options.out.extension() == ".json";
+        const Result<Done> written =
+            exporting::write_text(options.out, json ? as_json(story) : as_csv(story));
+        return written ? status_done : fail(written.diagnostics());
+    }
+    return print(common.json ? as_json(story) : options.csv ? as_csv(story) : as_table(story));
+}
+
 int run_history(const Options& options, const Common& common) {
-    const Result<PixelPos> pixel = parse_pixel(options.pixel);
+    const Result<PixelPos> pixel = check_options(options);
     if (!pixel) {
         return fail(pixel.diagnostics());
     }
-    const auto recording = record_input(options.file, common);
+    const auto recording = record_file(options.file, common);
     if (!recording) {
         return fail(recording.diagnostics());
     }
@@ -153,32 +192,9 @@ int run_history(const Options& options, const Common& common) {
         return fail(player.diagnostics());
     }
     if (!(*recording)->settings().image().contains(*pixel)) {
-        return fail(
-            {{.file = "--pixel",
-              .message = fmt::format(
-                  "{},{} lies outside the image; pixels are 0,0 to {},{}",
-                  pixel->x,
-                  pixel->y,
-                  (*recording)->width() - 1,
-                  (*recording)->height() - 1
-              )}}
-        );
+        return fail({outside(*pixel, **recording)});
     }
-    trace::PixelHistory history = trace::pixel_history(**recording, *pixel);
-    forget_the_future(history, **player);
-
-    if (!options.out.empty()) {
-        const bool json = options.out.extension() == ".json";
-        if (!json && options.out.extension() != ".csv") {
-            return fail({{.file = options.out.string(), .message = "history writes .csv or .json"}}
-            );
-        }
-        const Result<Done> written =
-            exporting::write_text(options.out, json ? as_json(history) : as_csv(history));
-        return written ? status_done : fail(written.diagnostics());
-    }
-    fmt::print("{}", common.json ? as_json(history) : as_table(history));
-    return status_done;
+    return show(tell(**player, *pixel), options, common);
 }
 
 } // namespace
@@ -186,11 +202,13 @@ int run_history(const Options& options, const Common& common) {
 Command add_history(CLI::App& program, const Common& common) {
     auto options = std::make_shared<Options>();
     CLI::App* app = program.add_subcommand("history", "List everything that happened to a pixel");
-    app->add_option("FILE", options->file, "scene, mesh or lesson")->required();
+    app->footer("Example:\n  halfspace history scene.toml --pixel 31,17 --json");
+    app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--pixel", options->pixel, "X,Y, counted from the top left")->required();
-    app->add_option("--at", options->at, "up to this step; default: the end");
+    app->add_option("--at", options->at, "only what happened up to this step");
+    app->add_flag("--csv", options->csv, "print CSV instead of a table");
     app->add_option("-o,--output", options->out, "write to .csv or .json instead of printing");
-    return {app, [options, &common] { return run_history(*options, common); }};
+    return {app, [options, &common] { return run_history(*options, common); }, true};
 }
 
 } // namespace hs::command

@@ -1,6 +1,7 @@
 // `halfspace record`: a frame's facts into a file that NumPy opens.
 #include "app/command/command.hpp"
 #include "core/export/trace_file.hpp"
+#include "core/export/whole_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,7 @@ struct Options {
     std::filesystem::path out;
 };
 
-void report(const trace::Recording& recording, const Options& options, const Common& common) {
+int report(const trace::Recording& recording, const Options& options, const Common& common) {
     if (common.json) {
         const nlohmann::ordered_json document{
             {"trace", options.out.string()},
@@ -21,32 +22,37 @@ void report(const trace::Recording& recording, const Options& options, const Com
             {"triangles", recording.triangles.size()},
             {"fragments", recording.fragments.size()},
             {"bytes_in_memory", recording.bytes()}};
-        fmt::print("{}\n", document.dump());
-    } else if (!common.quiet) {
-        fmt::print(
-            "{}: {} steps, {} triangles, {} fragments\n",
-            options.out.string(),
-            recording.end_step + 1,
-            recording.triangles.size(),
-            recording.fragments.size()
-        );
+        return print(document.dump() + '\n');
     }
+    if (common.quiet) {
+        return status_done;
+    }
+    return print(fmt::format(
+        "{}: {} steps, {} triangles, {} fragments\n",
+        options.out.string(),
+        recording.end_step + 1,
+        recording.triangles.size(),
+        recording.fragments.size()
+    ));
 }
 
-int record(const Options& options, const Common& common) {
-    if (options.out.extension() != ".npz") {
-        return fail({{.file = options.out.string(), .message = "a trace's name ends in .npz"}});
+int record_trace(const Options& options, const Common& common) {
+    if (const auto format = output_format(options.out, {".npz"}); !format) {
+        return fail(format.diagnostics());
     }
-    const auto recording = record_input(options.file, common);
+    if (const Result<Done> good = exporting::check_writable(options.out); !good) {
+        return fail(good.diagnostics());
+    }
+    const Result<Source> source = find_source(options.file, common);
+    if (!source) {
+        return fail(source.diagnostics());
+    }
+    const auto recording = record(*source, common);
     if (!recording) {
         return fail(recording.diagnostics());
     }
-    const Result<Done> saved = exporting::save_trace(*recording, options.out);
-    if (!saved) {
-        return fail(saved.diagnostics());
-    }
-    report(**recording, options, common);
-    return status_done;
+    const Result<Done> saved = exporting::save_trace(*recording, options.out, source->assignments);
+    return saved ? report(**recording, options, common) : fail(saved.diagnostics());
 }
 
 } // namespace
@@ -54,9 +60,11 @@ int record(const Options& options, const Common& common) {
 Command add_record(CLI::App& program, const Common& common) {
     auto options = std::make_shared<Options>();
     CLI::App* app = program.add_subcommand("record", "Record a frame into a trace file");
-    app->add_option("FILE", options->file, "scene, mesh or lesson")->required();
+    app->footer("numpy.load opens a trace. Example:\n"
+                "  halfspace record scene.toml --set depth.test=always -o always.npz");
+    app->add_option("FILE", options->file, file_help)->required();
     app->add_option("-o,--output", options->out, "trace to write: .npz")->required();
-    return {app, [options, &common] { return record(*options, common); }};
+    return {app, [options, &common] { return record_trace(*options, common); }, true};
 }
 
 } // namespace hs::command

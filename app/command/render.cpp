@@ -1,9 +1,8 @@
 // `halfspace render`: the final image, without a trace.
 #include "app/command/command.hpp"
 #include "core/export/picture_file.hpp"
+#include "core/export/whole_file.hpp"
 #include "core/pipeline/draw.hpp"
-
-#include <fmt/format.h>
 
 namespace hs::command {
 namespace {
@@ -13,6 +12,15 @@ struct Options {
     std::filesystem::path out;
 };
 
+framebuffer::Framebuffer draw(std::shared_ptr<const scene::Scene> scene, const Common& common) {
+    framebuffer::Framebuffer framebuffer(scene->settings);
+    pipeline::Frame frame(std::move(scene));
+    pipeline::NullTrace nothing;
+    const unsigned threads = common.threads == 0 ? hardware_threads() : common.threads;
+    pipeline::draw_frame(frame, framebuffer, nothing, threads);
+    return framebuffer;
+}
+
 exporting::Layer color_layer(const framebuffer::Framebuffer& framebuffer) {
     exporting::Layer layer{
         .name = "color",
@@ -20,6 +28,9 @@ exporting::Layer color_layer(const framebuffer::Framebuffer& framebuffer) {
         .width = framebuffer.width(),
         .height = framebuffer.height(),
         .values = {}};
+    layer.values.reserve(
+        4 * static_cast<std::size_t>(layer.width) * static_cast<std::size_t>(layer.height)
+    );
     for (int y = 0; y < layer.height; ++y) {
         for (int x = 0; x < layer.width; ++x) {
             const glm::vec4 color = framebuffer.color({x, y});
@@ -30,25 +41,26 @@ exporting::Layer color_layer(const framebuffer::Framebuffer& framebuffer) {
 }
 
 int render(const Options& options, const Common& common) {
-    const std::string extension = options.out.extension().string();
-    if (extension != ".png" && extension != ".exr") {
-        return fail({{.file = options.out.string(), .message = "render writes .png or .exr"}});
+    const Result<std::string> format = output_format(options.out, {".png", ".exr"});
+    if (!format) {
+        return fail(format.diagnostics());
     }
-    const auto scene = load_input(options.file, common);
+    if (const Result<Done> good = exporting::check_writable(options.out); !good) {
+        return fail(good.diagnostics());
+    }
+    const Result<Source> source = find_source(options.file, common);
+    if (!source) {
+        return fail(source.diagnostics());
+    }
+    const auto scene = load(*source);
     if (!scene) {
         return fail(scene.diagnostics());
     }
-    pipeline::Frame frame(*scene);
-    framebuffer::Framebuffer framebuffer((*scene)->settings);
-    pipeline::NullTrace nothing;
-    const unsigned threads = common.threads == 0 ? hardware_threads() : common.threads;
-    pipeline::draw_frame(frame, framebuffer, nothing, threads);
-
-    const exporting::Layer layer = color_layer(framebuffer);
-    const exporting::Attributes attributes{{"halfspace:scene", (*scene)->name}};
-    const Result<Done> written = extension == ".png"
+    const exporting::Layer layer = color_layer(draw(*scene, common));
+    const exporting::Attributes attributes = exporting::attributes_of(**scene);
+    const Result<Done> written = *format == ".png"
                                      ? exporting::write_png(options.out, layer, attributes)
-                                     : exporting::write_exr(options.out, {{layer}}, attributes);
+                                     : exporting::write_exr(options.out, {&layer, 1}, attributes);
     return written ? status_done : fail(written.diagnostics());
 }
 
@@ -57,9 +69,10 @@ int render(const Options& options, const Common& common) {
 Command add_render(CLI::App& program, const Common& common) {
     auto options = std::make_shared<Options>();
     CLI::App* app = program.add_subcommand("render", "Draw the final image, without a trace");
-    app->add_option("FILE", options->file, "scene, mesh or lesson")->required();
+    app->footer("Example:\n  halfspace render bunny.obj --size 1920x1080 -o bunny.png");
+    app->add_option("FILE", options->file, file_help)->required();
     app->add_option("-o,--output", options->out, "picture to write: .png or .exr")->required();
-    return {app, [options, &common] { return render(*options, common); }};
+    return {app, [options, &common] { return render(*options, common); }, true};
 }
 
 } // namespace hs::command

@@ -1,11 +1,13 @@
 // `halfspace shot`: a picture of the viewer itself, no display needed.
 #include "app/command/command.hpp"
+#include "app/command/interrupt.hpp"
 #include "app/host/headless.hpp"
 #include "app/lesson/lesson.hpp"
 #include "app/lesson/library.hpp"
 #include "app/lesson/session.hpp"
 #include "app/viewer/viewer.hpp"
 #include "core/export/picture_file.hpp"
+#include "core/export/whole_file.hpp"
 
 #include <fmt/format.h>
 
@@ -21,88 +23,110 @@ struct Options {
     std::filesystem::path out;
 };
 
-constexpr Size usual_size{1280, 720};
+/// --size is the window's; the usual one is the smallest in which nothing may be clipped.
+Result<Size> window_size(const Common& common) {
+    return common.size.empty() ? Size{1280, 720} : parse_size(common.size);
+}
 
-Result<Done> write_picture(const host::HeadlessHost& host, const std::filesystem::path& path) {
+/// Opens as the window does, but what is wrong is a result.
+Result<Done> open_in(
+    viewer::Viewer& viewer, const std::filesystem::path& file, viewer::OpenOptions options = {}
+) {
+    viewer.open(file, options);
+    viewer.finish_background_work();
+    if (!viewer.state().problems.empty()) {
+        return viewer.state().problems;
+    }
+    return done;
+}
+
+Result<Done> shoot(
+    host::HeadlessHost& host,
+    viewer::Viewer& viewer,
+    const std::filesystem::path& out,
+    const exporting::Attributes& attributes
+) {
+    host.settle(viewer);
     const host::Picture picture = host.picture();
-    return exporting::write_png(path, picture.width, picture.height, picture.pixels, {});
+    return exporting::write_png(out, picture.width, picture.height, picture.pixels, attributes);
 }
 
 /// One picture per step of the lesson: step-01.png, step-02.png …
-int shoot_lesson(const Options& options, const Size& size) {
-    const Result<lesson::Lesson> opened = lesson::load_lesson(options.file);
-    if (!opened) {
-        return fail(opened.diagnostics());
+Result<Done>
+shoot_lesson(host::HeadlessHost& host, viewer::Viewer& viewer, const Options& options) {
+    if (!lesson::is_lesson(options.file)) {
+        return Diagnostic{.file = options.file.string(), .message = "--all needs a lesson"};
+    }
+    if (Result<Done> opened = open_in(viewer, options.file); !opened) {
+        return opened;
     }
     std::error_code error;
     std::filesystem::create_directories(options.out, error);
     if (error) {
-        return fail(
-            {{.file = options.out.string(),
-              .message = fmt::format("cannot be made: {}", error.message())}}
-        );
+        return Diagnostic{
+            .file = options.out.string(),
+            .message = fmt::format("cannot be made: {}", error.message())};
     }
-    host::HeadlessHost host(size.width, size.height);
-    viewer::Viewer viewer;
-    viewer.open(options.file);
-    host.settle(viewer);
-    for (std::size_t step = 0; step < opened->steps.size(); ++step) {
+    const std::size_t steps = viewer.session()->lesson().steps.size();
+    for (std::size_t step = 0; step < steps && !stop_requested(); ++step) {
         viewer.go_to_lesson_step(step);
-        host.settle(viewer);
-        const Result<Done> written =
-            write_picture(host, options.out / fmt::format("step-{:02}.png", step + 1));
-        if (!written) {
-            return fail(written.diagnostics());
+        if (const Diagnostics& problems = viewer.session()->problems(); !problems.empty()) {
+            return problems;
+        }
+        const std::filesystem::path out = options.out / fmt::format("step-{:02}.png", step + 1);
+        if (Result<Done> written = shoot(host, viewer, out, {}); !written) {
+            return written;
         }
     }
-    return status_done;
+    return done;
 }
 
-int shoot_step(const Options& options, const Common& common, const Size& size) {
-    if (options.out.extension() != ".png") {
-        return fail({{.file = options.out.string(), .message = "shot writes .png"}});
+Result<Done> shoot_step(
+    host::HeadlessHost& host, viewer::Viewer& viewer, const Options& options, const Common& common
+) {
+    // A changed scene is no longer the lesson's
+    Source source{.file = options.file, .assignments = {}};
+    if (!common.set.empty()) {
+        Common without_size = common;
+        without_size.size.clear();
+        Result<Source> changed = find_source(options.file, without_size);
+        if (!changed) {
+            return changed.diagnostics();
+        }
+        source = std::move(*changed);
     }
-    host::HeadlessHost host(size.width, size.height);
-    viewer::Viewer viewer;
-    if (lesson::is_lesson(options.file) && options.at.empty() && common.set.empty()) {
-        const Result<lesson::Lesson> opened = lesson::load_lesson(options.file);
-        if (!opened) {
-            return fail(opened.diagnostics());
-        }
-        viewer.open(options.file);
-    } else {
-        const auto recording = record_input(options.file, common, false);
-        if (!recording) {
-            return fail(recording.diagnostics());
-        }
-        const auto player = stand_on(*recording, options.at);
-        if (!player) {
-            return fail(player.diagnostics());
-        }
-        viewer.set_recording(*recording);
-        viewer.seek((*player)->step());
+    if (Result<Done> opened =
+            open_in(viewer, source.file, {.at = {}, .assignments = source.assignments});
+        !opened) {
+        return opened;
     }
-    host.settle(viewer);
-    const Result<Done> written = write_picture(host, options.out);
-    return written ? status_done : fail(written.diagnostics());
+    if (const auto complaint = options.at.empty() ? std::nullopt : viewer.go_to(options.at)) {
+        return Diagnostic{.file = "--at", .message = *complaint};
+    }
+    const exporting::Attributes attributes =
+        viewer.document().is_open() ? exporting::attributes_of(viewer.document().player())
+                                    : exporting::Attributes{};
+    return shoot(host, viewer, options.out, attributes);
 }
 
-int shoot(const Options& options, const Common& common) {
-    Size size = usual_size;
-    if (!common.size.empty()) {
-        const Result<Size> given = parse_size(common.size);
-        if (!given) {
-            return fail(given.diagnostics());
-        }
-        size = *given;
+int run_shot(const Options& options, const Common& common) {
+    const Result<Size> size = window_size(common);
+    if (!size) {
+        return fail(size.diagnostics());
     }
     if (!options.all) {
-        return shoot_step(options, common, size);
+        if (const auto format = output_format(options.out, {".png"}); !format) {
+            return fail(format.diagnostics());
+        }
+        if (const Result<Done> good = exporting::check_writable(options.out); !good) {
+            return fail(good.diagnostics());
+        }
     }
-    if (!lesson::is_lesson(options.file)) {
-        return fail({{.file = options.file.string(), .message = "--all needs a lesson"}});
-    }
-    return shoot_lesson(options, size);
+    host::HeadlessHost host(size->width, size->height);
+    viewer::Viewer viewer;
+    const Result<Done> taken = options.all ? shoot_lesson(host, viewer, options)
+                                           : shoot_step(host, viewer, options, common);
+    return taken ? status_done : fail(taken.diagnostics());
 }
 
 } // namespace
@@ -111,13 +135,20 @@ Command add_shot(CLI::App& program, const Common& common) {
     auto options = std::make_shared<Options>();
     CLI::App* app =
         program.add_subcommand("shot", "Draw a picture of the viewer itself, without a display");
-    app->footer("--size is the size of the window here; set an image's with --set size=[W,H].");
-    app->add_option("FILE", options->file, "scene, mesh or lesson")->required();
-    app->add_option("--at", options->at, "step path or #number; default: the end");
+    app->footer("--size is the size of the window here; an image's is set by --set size=[W,H].\n"
+                "Examples:\n"
+                "  halfspace shot scene.toml --at 'object 0 / triangle 12' -o triangle.png\n"
+                "  halfspace shot lessons/01-one-triangle --all -o pictures");
+    app->add_option("FILE", options->file, file_help)->required();
+    app->add_option("--at", options->at, at_help);
     app->add_flag("--all", options->all, "a picture of every step of a lesson, into a folder");
-    app->add_option("-o,--output", options->out, "picture to write (.png); with --all a folder")
+    app->add_option(
+           "-o,--output",
+           options->out,
+           "picture to write (.png); with --all a folder for step-01.png …"
+    )
         ->required();
-    return {app, [options, &common] { return shoot(*options, common); }};
+    return {app, [options, &common] { return run_shot(*options, common); }, true};
 }
 
 } // namespace hs::command

@@ -5,15 +5,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 
 namespace hs::exporting {
 namespace {
 
 constexpr std::array<LayerName, 9> known{{
-    {"color", "color buffer"},
-    {"depth", "stored depth, exactly as tested"},
-    {"triangle", "owning triangle over the whole frame in file order, -1: background"},
+    {"color", "the color buffer"},
+    {"depth", "the stored depth, exactly as tested"},
+    {"triangle", "the owning triangle over the whole frame in file order, -1: background"},
     {"overdraw", "fragments written per pixel"},
     {"complexity", "fragments generated per pixel"},
     {"edge0", "E01 of the current triangle in pixel²"},
@@ -89,12 +90,17 @@ Result<Layer> triangle_layer(const trace::Player& player, const std::string& nam
             )};
     }
     if (name == "barycentric") {
-        return fill(player, name, {"lambda0", "lambda1", "lambda2"}, [&](PixelPos p, float* out) {
-            const raster::EdgeValues e = setup->evaluate(p);
-            out[1] = static_cast<float>(e[2]) * setup->inv_doubled_area;
-            out[2] = static_cast<float>(e[0]) * setup->inv_doubled_area;
-            out[0] = 1.0F - out[1] - out[2];
-        });
+        return fill(
+            player,
+            name,
+            {"barycentric.0", "barycentric.1", "barycentric.2"},
+            [&](PixelPos p, float* out) {
+                const raster::EdgeValues e = setup->evaluate(p);
+                out[1] = static_cast<float>(e[2]) * setup->inv_doubled_area;
+                out[2] = static_cast<float>(e[0]) * setup->inv_doubled_area;
+                out[0] = 1.0F - out[1] - out[2];
+            }
+        );
     }
     const auto edge = static_cast<std::size_t>(name.back() - '0');
     return fill(player, name, {name}, [&](PixelPos p, float* out) {
@@ -128,12 +134,7 @@ Result<Layer> make_layer(const trace::Player& player, const std::string& name) {
         names.push_back(layer.name);
     }
     return Diagnostic{
-        .message = fmt::format(
-            "'{}' is not a buffer; known are {}; tables are vertices, triangles, fragments and "
-            "counters",
-            name,
-            fmt::join(names, ", ")
-        )};
+        .message = fmt::format("'{}' is not a buffer; known are {}", name, fmt::join(names, ", "))};
 }
 
 } // namespace
@@ -145,8 +146,11 @@ std::span<const LayerName> layer_names() {
 Result<std::vector<Layer>>
 make_layers(const trace::Player& player, std::span<const std::string> names) {
     std::vector<Layer> layers;
-    for (const std::string& name : names) {
-        Result<Layer> layer = make_layer(player, name);
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        if (std::find(names.begin(), name, *name) != name) {
+            return Diagnostic{.message = fmt::format("'{}' is named twice", *name)};
+        }
+        Result<Layer> layer = make_layer(player, *name);
         if (!layer) {
             return layer.diagnostics();
         }

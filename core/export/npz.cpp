@@ -1,145 +1,32 @@
 #include "core/export/npz.hpp"
 
-#include "core/export/whole_file.hpp"
-
 #include <fmt/format.h>
-#include <zip.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
 namespace hs::exporting {
 namespace {
 
-namespace fs = std::filesystem;
+static_assert(
+    std::endian::native == std::endian::little, "arrays are written as they are in memory"
+);
 
 std::string_view numpy_type(ColumnType type) {
     switch (type) {
     case ColumnType::float32: return "<f4";
     case ColumnType::uint8: return "|u1";
     case ColumnType::uint16: return "<u2";
+    case ColumnType::int32: return "<i4";
     case ColumnType::uint32: return "<u4";
     case ColumnType::uint64: return "<u8";
-    case ColumnType::int64: return "<i8";
     }
     HS_CHECK(false, "every column type has a NumPy name");
     return "";
 }
-
-/// A member while libzip reads it.
-struct Reading {
-    Member member;
-    std::size_t position = 0;
-};
-
-zip_int64_t describe(const Reading& reading, void* out) {
-    zip_stat_t stat;
-    zip_stat_init(&stat);
-    stat.size = reading.member.size;
-    stat.valid = ZIP_STAT_SIZE;
-    std::memcpy(out, &stat, sizeof stat);
-    return sizeof stat;
-}
-
-/// libzip asks a source for its size and its bytes through this.
-zip_int64_t serve(void* state, void* out, zip_uint64_t length, zip_source_cmd_t command) {
-    auto& reading = *static_cast<Reading*>(state);
-    if (command == ZIP_SOURCE_OPEN) {
-        reading.position = 0;
-        return 0;
-    }
-    if (command == ZIP_SOURCE_READ) {
-        const std::size_t count =
-            std::min<std::size_t>(length, reading.member.size - reading.position);
-        reading.member.produce(reading.position, count, static_cast<std::byte*>(out));
-        reading.position += count;
-        return static_cast<zip_int64_t>(count);
-    }
-    if (command == ZIP_SOURCE_STAT) {
-        return describe(reading, out);
-    }
-    if (command == ZIP_SOURCE_SUPPORTS) {
-        return zip_source_make_command_bitmap(
-            ZIP_SOURCE_OPEN,
-            ZIP_SOURCE_READ,
-            ZIP_SOURCE_CLOSE,
-            ZIP_SOURCE_STAT,
-            ZIP_SOURCE_ERROR,
-            -1
-        );
-    }
-    if (command == ZIP_SOURCE_ERROR) {
-        const std::array<int, 2> no_error{};
-        std::memcpy(out, no_error.data(), sizeof no_error);
-        return sizeof no_error;
-    }
-    return 0; // close and free: the members are kept by their owner
-}
-
-/// An open archive; discarded unless closed.
-class Archive {
-public:
-    explicit Archive(const fs::path& path) {
-        int code = 0;
-        zip_ = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
-        if (zip_ == nullptr) {
-            zip_error_t error;
-            zip_error_init_with_code(&error, code);
-            problem_ = zip_error_strerror(&error);
-            zip_error_fini(&error);
-        }
-    }
-    Archive(const Archive&) = delete;
-    Archive& operator=(const Archive&) = delete;
-    Archive(Archive&&) = delete;
-    Archive& operator=(Archive&&) = delete;
-    ~Archive() {
-        if (zip_ != nullptr) {
-            zip_discard(zip_);
-        }
-    }
-
-    bool add(Reading& reading) {
-        if (zip_ == nullptr) {
-            return false;
-        }
-        zip_source_t* source = zip_source_function(zip_, serve, &reading);
-        const zip_int64_t index =
-            source == nullptr
-                ? -1
-                : zip_file_add(zip_, reading.member.name.c_str(), source, ZIP_FL_ENC_UTF_8);
-        if (index < 0) {
-            zip_source_free(source);
-            problem_ = zip_strerror(zip_);
-            return false;
-        }
-        const auto at = static_cast<zip_uint64_t>(index);
-        // A fixed date keeps equal recordings equal files
-        zip_file_set_dostime(zip_, at, 0, (1 << 5) | 1, 0);
-        return zip_set_file_compression(zip_, at, ZIP_CM_STORE, 0) == 0;
-    }
-
-    bool close() {
-        if (zip_ == nullptr) {
-            return false;
-        }
-        if (zip_close(zip_) != 0) {
-            problem_ = zip_strerror(zip_);
-            return false;
-        }
-        zip_ = nullptr;
-        return true;
-    }
-
-    [[nodiscard]] const std::string& problem() const { return problem_; }
-
-private:
-    zip_t* zip_ = nullptr;
-    std::string problem_;
-};
 
 /// Bytes of `header` and then of `body`, as one sequence.
 template <typename Body>
@@ -181,22 +68,18 @@ struct ColumnBytes {
 };
 
 std::vector<std::size_t> column_shape(const Column& column, std::size_t rows) {
-    if (column.components == 1) {
-        return {rows};
-    }
-    return {rows, column.components};
+    return column.components == 1 ? std::vector{rows} : std::vector{rows, column.components};
 }
 
 } // namespace
 
-std::string npy_header(ColumnType type, const std::vector<std::size_t>& shape) {
+std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape) {
     std::string dimensions;
     for (const std::size_t dimension : shape) {
         dimensions += fmt::format("{}, ", dimension);
     }
-    std::string text = fmt::format(
-        "{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", numpy_type(type), dimensions
-    );
+    std::string text =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, dimensions);
     // Magic, version, header length: 10 bytes; all of it a multiple of 64, ending in a newline
     constexpr std::size_t prefix = 10;
     constexpr std::size_t alignment = 64;
@@ -222,7 +105,7 @@ Member text_member(std::string name, std::string text) {
 
 Member column_member(const Column& column, std::size_t rows) {
     const std::size_t row_size = column.components * size_of(column.type);
-    std::string header = npy_header(column.type, column_shape(column, rows));
+    std::string header = npy_header(numpy_type(column.type), column_shape(column, rows));
     const std::size_t size = header.size() + rows * row_size;
     return {
         column.name + ".npy",
@@ -230,17 +113,36 @@ Member column_member(const Column& column, std::size_t rows) {
         with_header(std::move(header), ColumnBytes{.column = column, .row_size = row_size})};
 }
 
+Member texts_member(const std::string& name, std::span<const std::string> texts) {
+    std::size_t longest = 1;
+    for (const std::string& text : texts) {
+        longest = std::max(longest, text.size());
+    }
+    // Four bytes a letter, short texts filled up with zeros
+    std::string bytes = npy_header(fmt::format("<U{}", longest), {texts.size()});
+    for (const std::string& text : texts) {
+        for (std::size_t i = 0; i < longest; ++i) {
+            bytes += i < text.size() ? text[i] : '\0';
+            bytes.append(3, '\0');
+        }
+    }
+    return text_member(name + ".npy", std::move(bytes));
+}
+
 Member array_member(
-    std::string name, ColumnType type, std::vector<std::size_t> shape, const void* values
+    const std::string& name,
+    ColumnType type,
+    const std::vector<std::size_t>& shape,
+    const void* values
 ) {
     std::size_t bytes = size_of(type);
     for (const std::size_t dimension : shape) {
         bytes *= dimension;
     }
-    std::string header = npy_header(type, shape);
+    std::string header = npy_header(numpy_type(type), shape);
     const std::size_t size = header.size() + bytes;
     return {
-        std::move(name),
+        name + ".npy",
         size,
         with_header(
             std::move(header),
@@ -250,52 +152,21 @@ Member array_member(
         )};
 }
 
-Result<Member> file_member(std::string name, const fs::path& file) {
-    std::error_code error;
-    const auto size = fs::file_size(file, error);
-    auto stream = std::make_shared<std::ifstream>(file, std::ios::binary);
-    if (error || !*stream) {
-        return Diagnostic{.file = file.string(), .message = "cannot be read into the trace"};
+Member manifest_member(const Attributes& attributes) {
+    nlohmann::ordered_json manifest;
+    for (const auto& [name, text] : attributes) {
+        manifest[name] = text;
     }
-    return Member{
-        std::move(name), size, [stream](std::size_t first, std::size_t count, std::byte* out) {
-            // A file that shrank meanwhile leaves zeros; its digest in the manifest will not match
-            std::memset(out, 0, count);
-            stream->clear();
-            stream->seekg(static_cast<std::streamoff>(first));
-            std::string bytes(count, '\0');
-            stream->read(bytes.data(), static_cast<std::streamsize>(count));
-            std::memcpy(out, bytes.data(), static_cast<std::size_t>(stream->gcount()));
-        }};
+    return text_member("manifest.json", manifest.dump(2) + '\n');
 }
 
-Result<Done> write_archive(const fs::path& path, std::vector<Member> members) {
-    return write_whole(path, [&](const fs::path& temporary) -> Result<Done> {
-        std::vector<Reading> readings;
-        readings.reserve(members.size());
-        for (const Member& member : members) {
-            readings.push_back({member});
-        }
-        Archive archive(temporary);
-        bool good = true;
-        for (Reading& reading : readings) {
-            good = good && archive.add(reading);
-        }
-        if (!good || !archive.close()) {
-            return Diagnostic{
-                .file = path.string(),
-                .message = fmt::format("cannot be written: {}", archive.problem())};
-        }
-        return done;
-    });
-}
-
-Result<Done> write_npz(const fs::path& path, const Table& table) {
-    std::vector<Member> members;
+void add_columns(std::vector<Member>& members, const Table& table) {
     for (const Column& column : table.columns) {
         members.push_back(column_member(column, table.rows));
+        if (!column.meanings.empty()) {
+            members.push_back(texts_member(column.name + ".names", column.meanings));
+        }
     }
-    return write_archive(path, std::move(members));
 }
 
 } // namespace hs::exporting

@@ -2,6 +2,7 @@
 
 #include "core/export/whole_file.hpp"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -15,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Diagnostic cannot_write(const fs::path& path, const std::string& why) {
-    return {.file = path.string(), .message = fmt::format("cannot be written: {}", why)};
-}
-
 OIIO::ImageSpec
 make_spec(int width, int height, int channels, OIIO::TypeDesc type, const Attributes& attributes) {
     OIIO::ImageSpec spec(width, height, channels, type);
@@ -28,44 +25,48 @@ make_spec(int width, int height, int channels, OIIO::TypeDesc type, const Attrib
     return spec;
 }
 
-/// Writes an image whose samples are in `data`, of the type the spec names.
+/// Writes an image whose samples are in `data`, of the type the spec names. OpenImageIO encodes
+/// into memory: what fails while a file is written, it does not always tell.
 Result<Done> write_image(const fs::path& path, const OIIO::ImageSpec& spec, const void* data) {
-    return write_whole(path, [&](const fs::path& temporary) -> Result<Done> {
-        const std::unique_ptr<OIIO::ImageOutput> output =
-            OIIO::ImageOutput::create(path.extension().string());
-        if (!output) {
-            return cannot_write(path, OIIO::geterror());
-        }
-        const bool written = output->open(temporary.string(), spec) &&
-                             output->write_image(spec.format, data) && output->close();
-        if (!written) {
-            return cannot_write(path, output->geterror());
-        }
-        return done;
+    const auto cannot_write = [&path](const std::string& why) {
+        return Diagnostic{
+            .file = path.string(), .message = fmt::format("cannot be written: {}", why)};
+    };
+    OIIO::Filesystem::IOVecOutput encoded;
+    const std::unique_ptr<OIIO::ImageOutput> output =
+        OIIO::ImageOutput::create(path.filename().string(), &encoded);
+    if (!output) {
+        return cannot_write(OIIO::geterror());
+    }
+    const bool written = output->open(path.filename().string(), spec) &&
+                         output->write_image(spec.format, data) && output->close();
+    if (!written) {
+        return cannot_write(output->geterror());
+    }
+    return write_bytes(path, [&encoded](ByteSink& sink) {
+        const std::vector<unsigned char>& bytes = encoded.buffer();
+        sink.write(std::as_bytes(std::span{bytes.data(), bytes.size()}));
     });
 }
 
-/// The range a layer's values are spread over in 16-bit gray.
+/// What black and white mean in a gray picture.
 struct Range {
     float low = 0.0F;
     float high = 1.0F;
 };
 
 Range gray_range(const Layer& layer) {
-    if (layer.name == "depth") {
+    if (layer.name == "depth" || layer.name == "barycentric") {
         return {};
-    }
-    if (layer.name == "triangle") {
-        return {-1.0F, 65534.0F}; // background 0, triangle n at n + 1
     }
     if (layer.whole_numbers) {
         return {0.0F, 65535.0F};
     }
     const auto [low, high] = std::minmax_element(layer.values.begin(), layer.values.end());
-    return {*low, std::max(*high, *low + 1.0e-6F)};
+    return {*low, *high > *low ? *high : *low + 1.0F};
 }
 
-Result<Done> write_gray16(const fs::path& path, const Layer& layer, const Attributes& attributes) {
+Result<Done> write_gray16(const fs::path& path, const Layer& layer, Attributes attributes) {
     const Range range = gray_range(layer);
     std::vector<std::uint16_t> gray;
     gray.reserve(layer.values.size());
@@ -75,6 +76,7 @@ Result<Done> write_gray16(const fs::path& path, const Layer& layer, const Attrib
             static_cast<std::uint16_t>(std::lround(std::clamp(unit, 0.0F, 1.0F) * 65535.0F))
         );
     }
+    attributes.emplace_back("halfspace:range", fmt::format("[{}, {}]", range.low, range.high));
     const auto channels = static_cast<int>(layer.channels.size());
     return write_image(
         path,
@@ -83,12 +85,7 @@ Result<Done> write_gray16(const fs::path& path, const Layer& layer, const Attrib
     );
 }
 
-} // namespace
-
-Result<Done> write_png(const fs::path& path, const Layer& layer, const Attributes& attributes) {
-    if (layer.name != "color") {
-        return write_gray16(path, layer, attributes);
-    }
+std::vector<framebuffer::Rgba8> packed_colors(const Layer& layer) {
     std::vector<framebuffer::Rgba8> pixels;
     pixels.reserve(layer.values.size() / 4);
     for (std::size_t i = 0; i < layer.values.size(); i += 4) {
@@ -96,7 +93,37 @@ Result<Done> write_png(const fs::path& path, const Layer& layer, const Attribute
             {layer.values[i], layer.values[i + 1], layer.values[i + 2], layer.values[i + 3]}
         ));
     }
-    return write_png(path, layer.width, layer.height, pixels, attributes);
+    return pixels;
+}
+
+std::vector<framebuffer::Rgba8> number_colors(const Layer& layer) {
+    std::vector<framebuffer::Rgba8> pixels;
+    pixels.reserve(layer.values.size());
+    for (const float number : layer.values) {
+        pixels.push_back(number_color(static_cast<std::int64_t>(number)));
+    }
+    return pixels;
+}
+
+} // namespace
+
+framebuffer::Rgba8 number_color(std::int64_t number) {
+    const auto bits = static_cast<std::uint64_t>(number + 1);
+    std::uint32_t color = 0xFF000000U;
+    for (unsigned bit = 0; bit < 24; ++bit) {
+        const unsigned channel = bit % 3;
+        const unsigned place = 7 - bit / 3;
+        color |= static_cast<std::uint32_t>(bits >> bit & 1U) << (8 * channel + place);
+    }
+    return color;
+}
+
+Result<Done> write_png(const fs::path& path, const Layer& layer, const Attributes& attributes) {
+    if (layer.name == "color" || layer.name == "triangle") {
+        const auto pixels = layer.name == "color" ? packed_colors(layer) : number_colors(layer);
+        return write_png(path, layer.width, layer.height, pixels, attributes);
+    }
+    return write_gray16(path, layer, attributes);
 }
 
 Result<Done> write_png(

@@ -2,23 +2,19 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/export/attributes.hpp"
 #include "core/export/layers.hpp"
 #include "core/framebuffer/color.hpp"
 
 #include <filesystem>
 #include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hs::exporting {
 
-/// Written into the file as text attributes: ("halfspace:step", "object 0 / triangle 12").
-using Attributes = std::vector<std::pair<std::string, std::string>>;
-
-/// One layer as PNG: color in 8 bits; depth in 16-bit gray over [0, 1]; triangle numbers and counts
-/// in 16-bit gray, background 0 and triangle n as n + 1; anything else in 16-bit gray from its
-/// smallest to its largest value. Values outside the range are clamped.
+/// One layer as PNG. Color: 8 bits a channel. Triangle numbers: a color of its own for each, see
+/// `number_color`. Everything else in 16-bit gray: depth and weights over [0, 1], counts as they
+/// are, edge functions from their smallest to their largest value; the text `halfspace:range`
+/// says what black and white mean. Values outside are clamped.
 Result<Done>
 write_png(const std::filesystem::path& path, const Layer& layer, const Attributes& attributes);
 
@@ -35,5 +31,12 @@ Result<Done> write_png(
 Result<Done> write_exr(
     const std::filesystem::path& path, std::span<const Layer> layers, const Attributes& attributes
 );
+
+/// The color of a number from −1 (opaque black) to 2^24 − 2: neighbours differ strongly, and each
+/// number has a color of its own, so that a picture can be read back. The bits of number + 1 are
+/// dealt to red, green and blue in turn, lowest bit first, each channel filled from its highest
+/// bit down (the color map of the PASCAL Visual Object Classes challenge, 2005, in its full 24
+/// bits).
+[[nodiscard]] framebuffer::Rgba8 number_color(std::int64_t number);
 
 } // namespace hs::exporting

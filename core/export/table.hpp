@@ -7,8 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,9 @@ enum class ColumnType : std::uint8_t {
     float32,
     uint8,
     uint16,
+    int32,
     uint32,
-    uint64,
-    int64
+    uint64
 };
 
 /// Bytes of one number.
@@ -31,12 +32,16 @@ enum class ColumnType : std::uint8_t {
 struct Column {
     std::string name; ///< "vertex.clip"
     ColumnType type = ColumnType::float32;
-    std::size_t components = 1; ///< numbers per row
+    std::size_t components = 1; ///< numbers per row, at most 4
     /// What the numbers of a column stand for when they are enumerators, by value; else empty.
     std::vector<std::string> meanings;
-    /// Writes `components` numbers of row `row` to `out`, which has room and alignment for them.
+    /// Writes `components` numbers of row `row` to `out`. Fast for rows in order.
     std::function<void(std::size_t row, void* out)> read;
 };
+
+/// "vertex.clip" to "vertex.clip.y"; colors have .r .g .b .a, weights and corners .0 .1 .2.
+[[nodiscard]] std::string
+component_name(std::string_view column, std::size_t components, std::size_t component);
 
 struct Table {
     std::string name;
@@ -44,22 +49,19 @@ struct Table {
     std::vector<Column> columns;
 };
 
-/// The tables a recording has, columns as in the trace format: "vertices", "triangles",
-/// "fragments", "runs", "counters" (one row), "pieces", "piece-vertices". They keep the recording
-/// alive. Anything else is an error that lists them.
-Result<Table>
-make_table(const std::shared_ptr<const trace::Recording>& recording, std::string_view name);
+/// A table `make_table` knows, with one sentence.
+struct TableName {
+    std::string_view name;
+    std::string_view explanation;
+};
+std::span<const TableName> table_names();
 
-/// One row per line, components as name.0, name.1 or name.x …; enumerators by name.
-Result<Done> write_csv(const std::filesystem::path& path, const Table& table);
+/// A table at the player's step, columns as in the trace format; it keeps the recording alive.
+/// What is per vertex and per triangle is of the whole frame; fragments, runs and counters go up
+/// to the step. Anything else than the names above is an error that lists them.
+Result<Table> make_table(const trace::Player& player, std::string_view name);
 
-/// {"name": [ … ], …}: a list per column, components as lists, not-a-number as null.
-Result<Done> write_json(const std::filesystem::path& path, const Table& table);
-
-/// A zip of .npy members, one per column; `numpy.load` opens it.
-Result<Done> write_npz(const std::filesystem::path& path, const Table& table);
-
-/// A column's number as text: enumerators by name, floats so that they read back exactly.
-std::string number_text(const Column& column, const void* value);
+/// The tables of a whole frame, as a trace keeps them.
+std::vector<Table> trace_tables(const std::shared_ptr<const trace::Recording>& recording);
 
 } // namespace hs::exporting
