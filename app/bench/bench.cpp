@@ -16,6 +16,8 @@ int run_bench(const BenchOptions& options) {
     measure_frames(session);
     measure_playhead(session);
     measure_memory(session);
+    measure_viewer(session);
+    measure_startup(session);
     measure_growth(session);
 
     const Results& results = session.results();

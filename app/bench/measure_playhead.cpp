@@ -1,8 +1,8 @@
 // The playhead: stepping, jumping and asking for a pixel's history in a large recording.
 //
-// Budgets name the worst place, not the worst moment: every move is made five times and its median
-// counts, then the slowest move is reported. A move ends with what a person is shown: the
-// framebuffer and the reasoning behind the step.
+// Budgets name the worst place, not the worst moment: every move is made five times, the median of
+// its computing time counts, then the slowest move is reported. A move ends with what a person is
+// shown: the framebuffer and the reasoning behind the step.
 #include "app/bench/session.hpp"
 #include "app/bench/timing.hpp"
 #include "core/trace/history.hpp"
@@ -30,7 +30,7 @@ double median_of_repetitions(Prepare&& prepare, Run&& run) {
     std::vector<double> times;
     for (int i = 0; i < repetitions; ++i) {
         prepare();
-        times.push_back(milliseconds(run));
+        times.push_back(computing_milliseconds(run));
     }
     return median(std::move(times));
 }

@@ -59,6 +59,8 @@ record(const std::shared_ptr<const scene::Scene>& scene, unsigned threads = hard
 void measure_frames(Session& session);
 void measure_playhead(Session& session);
 void measure_memory(Session& session);
+void measure_viewer(Session& session);
+void measure_startup(Session& session);
 void measure_growth(Session& session);
 void measure_limits(Session& session);
 

@@ -1,8 +1,15 @@
 #include "app/bench/timing.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 namespace hs::bench {
+
+double thread_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
 
 double quantile(std::vector<double> values, double part) {
     const auto at = static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5);

@@ -10,6 +10,9 @@
 
 namespace hs::bench {
 
+/// Milliseconds the calling thread has computed so far.
+double thread_milliseconds();
+
 /// Milliseconds that `run` takes.
 template <typename Run>
 double milliseconds(Run&& run) {
@@ -17,6 +20,15 @@ double milliseconds(Run&& run) {
     const Clock::time_point start = Clock::now();
     run();
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// Milliseconds that the calling thread computes in `run`: what it costs, however busy the machine
+/// is with other work.
+template <typename Run>
+double computing_milliseconds(Run&& run) {
+    const double start = thread_milliseconds();
+    run();
+    return thread_milliseconds() - start;
 }
 
 /// The value below which `part` (0 … 1) of the values lie; the median at 0.5.
