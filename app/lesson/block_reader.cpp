@@ -173,7 +173,7 @@ std::optional<Expression> read_expression_keys(TableReader& table, Place place) 
 }
 
 std::optional<Expression> read_expression(TableReader& table, std::string_view key, bool required) {
-    const std::string_view shape = "{ quantity = \"ndc.x\", of = \"vertex 1\" }";
+    const std::string_view shape = R"({ quantity = "ndc.x", of = "vertex 1" })";
     if (!table.has(key)) {
         if (required) {
             table.complain(fmt::format("{} is missing: {} = {}", key, key, shape));

@@ -230,7 +230,7 @@ void Checker::check_wrong(
     } else if (graded->misconception != wrong.misconception) {
         add(wrong.place,
             fmt::format(
-                "\"{}\" cannot be told from \"{}\": both give {}",
+                R"("{}" cannot be told from "{}": both give {})",
                 wrong.misconception,
                 graded->misconception,
                 print_value(*value)

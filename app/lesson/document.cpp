@@ -85,7 +85,7 @@ std::string print_table(const Block& table) {
 }
 
 std::string print_block(const Block& block, std::size_t width) {
-    const std::string text = to_plain_text(block.spans);
+    std::string text = to_plain_text(block.spans);
     switch (block.kind) {
     case BlockKind::paragraph: return wrap(text, "", width);
     case BlockKind::heading:

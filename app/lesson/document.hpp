@@ -57,6 +57,19 @@ struct Block {
 };
 using Document = std::vector<Block>;
 
+/// Calls `visit` for every list of spans in a document: those of its blocks and of table cells.
+template <typename Visit>
+void for_each_text(Document& document, Visit visit) {
+    for (Block& block : document) {
+        visit(block.spans);
+        for (std::vector<Spans>& row : block.cells) {
+            for (Spans& cell : row) {
+                visit(cell);
+            }
+        }
+    }
+}
+
 /// For terminals and tests: paragraphs wrapped at `width` columns, tables aligned, styles dropped.
 std::string to_plain_text(const Document& document, int width = 80);
 

@@ -85,7 +85,7 @@ private:
         if (!lesson_.title.empty() && title != lesson_.title) {
             complain(
                 block.place,
-                fmt::format("the page calls itself \"{}\", its block \"{}\"", title, lesson_.title)
+                fmt::format(R"(the page calls itself "{}", its block "{}")", title, lesson_.title)
             );
         }
     }

@@ -65,20 +65,14 @@ Document parse_short_markdown(std::string_view text, Place place, Diagnostics& p
             document.push_back(std::move(*block));
         }
     }
-    const auto put = [place](Spans& spans) {
+    for (Block& block : document) {
+        block.place = place;
+    }
+    for_each_text(document, [place](Spans& spans) {
         for (Span& span : spans) {
             span.place = place;
         }
-    };
-    for (Block& block : document) {
-        block.place = place;
-        put(block.spans);
-        for (std::vector<Spans>& row : block.cells) {
-            for (Spans& cell : row) {
-                put(cell);
-            }
-        }
-    }
+    });
     return document;
 }
 

@@ -48,7 +48,7 @@ struct Reading {
 };
 
 /// A number with a plain hyphen is as good as one with a minus sign.
-std::string with_minus(std::string text) {
+std::string with_minus(const std::string& text) {
     return text.starts_with('-') ? "−" + text.substr(1) : text;
 }
 
@@ -146,18 +146,11 @@ Result<Placeholder> parse_placeholder(std::string_view text) {
 }
 
 Document fill_in(Document document, const Filling& filling, Diagnostics& problems) {
-    for (Block& block : document) {
-        for (Span& span : block.spans) {
+    for_each_text(document, [&](Spans& spans) {
+        for (Span& span : spans) {
             fill_span(span, filling, problems);
         }
-        for (std::vector<Spans>& row : block.cells) {
-            for (Spans& cell : row) {
-                for (Span& span : cell) {
-                    fill_span(span, filling, problems);
-                }
-            }
-        }
-    }
+    });
     return document;
 }
 

@@ -37,39 +37,36 @@ bool needs_pixel(QuantityOf of) {
            of == QuantityOf::pixel;
 }
 
-/// Fills in what is needed and not written; says what cannot be filled in.
-std::optional<std::string>
-complete(Subject& subject, const Quantity& quantity, const Subject& stand) {
-    if (quantity.of == QuantityOf::frame || quantity.of == QuantityOf::pixel) {
-        // Counts are of what is written, nothing more; pixels of the picture belong to no triangle
-        subject.pixel =
-            subject.pixel || quantity.of == QuantityOf::frame ? subject.pixel : stand.pixel;
-    } else {
-        const bool same_object = !subject.object || subject.object == stand.object;
-        subject.object = subject.object ? subject.object : stand.object;
-        subject.object = subject.object.value_or(0);
-        if (quantity.of == QuantityOf::vertex && !subject.vertex && same_object) {
-            subject.vertex = stand.vertex;
-        }
-        if (needs_triangle(quantity.of) && !subject.triangle && same_object) {
-            subject.triangle = stand.triangle;
-        }
-        if (needs_pixel(quantity.of) && !subject.pixel) {
-            subject.pixel = stand.pixel;
-        }
+/// Fills in what is needed and not written. Counts are of what is written, nothing more, and pixels
+/// of the picture belong to no triangle.
+void complete(Subject& subject, QuantityOf of, const Subject& stand) {
+    if (needs_pixel(of) && !subject.pixel) {
+        subject.pixel = stand.pixel;
     }
-    const std::string_view missing =
-        quantity.of == QuantityOf::vertex && !subject.vertex ? "vertex 0"
-        : needs_triangle(quantity.of) && !subject.triangle   ? "triangle 0"
-        : needs_pixel(quantity.of) && !subject.pixel         ? "pixel 8,6"
-                                                             : "";
-    return missing.empty() ? std::nullopt
-                           : std::optional{fmt::format(
-                                 "\"{}\" needs to know of what: write for instance \"{} of {}\"",
-                                 quantity.name,
-                                 quantity.name,
-                                 missing
-                             )};
+    if (of == QuantityOf::frame || of == QuantityOf::pixel) {
+        return;
+    }
+    const bool same_object = !subject.object || subject.object == stand.object;
+    if (!subject.object) {
+        subject.object = stand.object.value_or(0);
+    }
+    if (of == QuantityOf::vertex && !subject.vertex && same_object) {
+        subject.vertex = stand.vertex;
+    }
+    if (needs_triangle(of) && !subject.triangle && same_object) {
+        subject.triangle = stand.triangle;
+    }
+}
+
+/// An example of the part that is still missing, "" when none is.
+std::string_view missing_part(const Subject& subject, QuantityOf of) {
+    if (of == QuantityOf::vertex && !subject.vertex) {
+        return "vertex 0";
+    }
+    if (needs_triangle(of) && !subject.triangle) {
+        return "triangle 0";
+    }
+    return needs_pixel(of) && !subject.pixel ? "pixel 8,6" : "";
 }
 
 } // namespace
@@ -128,8 +125,11 @@ Result<Value> read_quantity(
     if (!subject) {
         return subject.diagnostics();
     }
-    if (std::optional<std::string> problem = complete(*subject, *quantity, subject_of(stand))) {
-        return complain(std::move(*problem));
+    complete(*subject, quantity->of, subject_of(stand));
+    if (const std::string_view missing = missing_part(*subject, quantity->of); !missing.empty()) {
+        return complain(fmt::format(
+            R"("{0}" needs to know of what: write for instance "{0} of {1}")", name, missing
+        ));
     }
     if (std::optional<std::string> problem = find_missing(*subject, recording)) {
         return complain(std::move(*problem));

@@ -15,7 +15,7 @@
 namespace hs::lesson {
 
 /// What a quantity is a property of. Parts that are needed and not written come from the step the
-/// lesson stands on; an object left out is object 0.
+/// lesson stands on; where that has no object, it is object 0.
 enum class QuantityOf : std::uint8_t {
     frame, ///< of the frame, or of an object or triangle if one is written
     vertex,

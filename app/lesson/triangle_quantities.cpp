@@ -111,21 +111,25 @@ Result<Value> edge_value(const Recording& recording, const Subject& subject) {
     return Value{static_cast<double>(setup->evaluate(*subject.pixel)[edge]) / pixel_square};
 }
 
-/// The pixels of every piece whose edge values satisfy a rule.
+/// The pixels of a piece whose edge values satisfy a rule.
+template <typename Rule>
+void add_pixels(const raster::TriangleSetup& setup, Rule covers, std::vector<PixelPos>& pixels) {
+    for (int y = setup.bounds.y0; y < setup.bounds.y1; ++y) {
+        for (int x = setup.bounds.x0; x < setup.bounds.x1; ++x) {
+            if (covers(setup, setup.evaluate({x, y}))) {
+                pixels.push_back({x, y});
+            }
+        }
+    }
+}
+
+/// The same of all pieces.
 template <typename Rule>
 Result<Value> select_pixels(const Recording& recording, const Subject& subject, Rule covers) {
     std::vector<PixelPos> pixels;
     for (const PieceDetail& piece : detail(recording, subject).pieces) {
-        if (!piece.setup) {
-            continue;
-        }
-        const PixelRect& bounds = piece.setup->bounds;
-        for (int y = bounds.y0; y < bounds.y1; ++y) {
-            for (int x = bounds.x0; x < bounds.x1; ++x) {
-                if (covers(*piece.setup, piece.setup->evaluate({x, y}))) {
-                    pixels.push_back({x, y});
-                }
-            }
+        if (piece.setup) {
+            add_pixels(*piece.setup, covers, pixels);
         }
     }
     return Value{make_pixel_set(std::move(pixels))};

@@ -10,18 +10,16 @@
 #include <algorithm>
 #include <set>
 
-namespace {
+namespace hs::lesson {
 
-using namespace hs::lesson;
-using hs::Diagnostic;
-using hs::Result;
+namespace {
 
 std::shared_ptr<const Lesson> open(const std::filesystem::path& folder) {
     return std::make_shared<const Lesson>(load_lesson(folder).value());
 }
 
 std::vector<std::filesystem::path> course() {
-    return find_lessons(hs::test::source_dir() / "lessons");
+    return find_lessons(test::source_dir() / "lessons");
 }
 
 /// The answer a student with a misconception gives.
@@ -33,7 +31,7 @@ Value value_of(const WrongAnswer& wrong, Session& session) {
         std::make_shared<RecordingCache>(),
         scene_of_step(session.lesson(), session.index()),
         session.recording(),
-        hs::trace::describe_step(*session.recording(), session.stand())
+        trace::describe_step(*session.recording(), session.stand())
     );
     return evaluate(*wrong.answer).value();
 }
@@ -52,13 +50,36 @@ void try_wrong_answers(const std::shared_ptr<const Lesson>& lesson, std::size_t 
     }
 }
 
+/// Gives the answer that giving up reveals.
+void answer_right(Session& session) {
+    Session peek(std::make_shared<const Lesson>(session.lesson()));
+    peek.go_to(session.index());
+    peek.give_up();
+    REQUIRE(peek.right_answer().has_value());
+    CHECK(session.answer(*peek.right_answer()).right);
+    CHECK(session.state() == QuestionState::revealed);
+    CHECK_FALSE(to_plain_text(session.reveal()).empty());
+}
+
+/// Chooses every value of a change; the watched quantity must notice.
+void try_change(Session& session, std::size_t change) {
+    INFO(session.step().title);
+    std::set<std::string> watched;
+    for (std::size_t k = 0; k < session.step().changes[change].values.size(); ++k) {
+        session.change(change, k);
+        CHECK(session.problems().empty());
+        watched.insert(session.watched(change));
+    }
+    CHECK(watched.size() > 1);
+}
+
 } // namespace
 
 TEST_CASE("the program finds the lessons it comes with", "[lesson]") {
     CHECK_FALSE(find_lessons(lessons_folder()).empty());
     CHECK(is_lesson(course().front()));
     CHECK(is_lesson(course().front() / "lesson.md"));
-    CHECK_FALSE(is_lesson(hs::test::source_dir()));
+    CHECK_FALSE(is_lesson(test::source_dir()));
 }
 
 TEST_CASE("every lesson of the course loads and holds", "[lesson]") {
@@ -75,20 +96,13 @@ TEST_CASE("every lesson of the course loads and holds", "[lesson]") {
 
 TEST_CASE("every question reveals an answer that is graded right", "[lesson]") {
     for (const std::filesystem::path& folder : course()) {
-        const auto lesson = open(folder);
-        Session peek(lesson);
-        Session session(lesson);
+        Session session(open(folder));
         do {
             INFO(session.step().title);
             CHECK(session.problems().empty());
             CHECK_FALSE(to_plain_text(session.narration()).empty());
             if (session.state() != QuestionState::none) {
-                peek.go_to(session.index());
-                peek.give_up();
-                REQUIRE(peek.right_answer().has_value());
-                CHECK(session.answer(*peek.right_answer()).right);
-                CHECK(session.state() == QuestionState::revealed);
-                CHECK_FALSE(to_plain_text(session.reveal()).empty());
+                answer_right(session);
             }
         } while (session.next());
     }
@@ -113,15 +127,10 @@ TEST_CASE("every change of the course changes what it says to watch", "[lesson]"
         Session session(open(folder));
         do {
             for (std::size_t change = 0; change < session.step().changes.size(); ++change) {
-                INFO(session.step().title);
-                std::set<std::string> watched;
-                for (std::size_t k = 0; k < session.step().changes[change].values.size(); ++k) {
-                    session.change(change, k);
-                    CHECK(session.problems().empty());
-                    watched.insert(session.watched(change));
-                }
-                CHECK(watched.size() > 1);
+                try_change(session, change);
             }
         } while (session.next());
     }
 }
+
+} // namespace hs::lesson

@@ -1,9 +1,9 @@
 #include "app/lesson/lesson.hpp"
 #include "tests/support/catch.hpp"
 
-namespace {
+namespace hs::lesson {
 
-using namespace hs::lesson;
+namespace {
 
 constexpr const char* text = R"(# Page title
 
@@ -104,3 +104,5 @@ TEST_CASE("settings hold until a step names a scene", "[lesson]") {
     CHECK(third.file == "course/b.toml");
     CHECK(third.assignments.empty());
 }
+
+} // namespace hs::lesson

@@ -2,12 +2,12 @@
 
 #include "tests/support/catch.hpp"
 
+namespace hs::lesson {
+
 namespace {
 
-using namespace hs::lesson;
-
 Document read(std::string_view text) {
-    hs::Diagnostics problems;
+    Diagnostics problems;
     Document document;
     for (MarkdownPart& part : parse_markdown(text).parts) {
         if (auto* const block = std::get_if<Block>(&part)) {
@@ -124,3 +124,5 @@ TEST_CASE("comments are left out, other HTML is refused", "[lesson]") {
     CHECK(markdown.problems[0].column == 3);
     CHECK(markdown.problems[0].message == "HTML is not shown: write Markdown");
 }
+
+} // namespace hs::lesson

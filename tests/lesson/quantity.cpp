@@ -7,24 +7,23 @@
 
 #include <set>
 
+namespace hs::lesson {
+
 namespace {
 
-using namespace hs::lesson;
-
-std::shared_ptr<const hs::trace::Recording> record() {
+std::shared_ptr<const trace::Recording> record() {
     RecordingCache recordings;
-    return recordings.get({hs::test::source_dir() / "lessons/01-one-triangle/triangle.toml", {}}
+    return recordings.get({test::source_dir() / "lessons/01-one-triangle/triangle.toml", {}}
     ).value();
 }
 
-hs::trace::Step stand_on(const hs::trace::Recording& recording, std::string_view path) {
+trace::Step stand_on(const trace::Recording& recording, std::string_view path) {
     return describe_step(recording, find_step(recording, path).value());
 }
 
 std::string read(std::string_view name, std::string_view of, std::string_view stand = "end") {
     const auto recording = record();
-    const hs::Result<Value> value =
-        read_quantity(name, of, *recording, stand_on(*recording, stand));
+    const Result<Value> value = read_quantity(name, of, *recording, stand_on(*recording, stand));
     return value ? print_value(*value) : value.diagnostics().front().message;
 }
 
@@ -43,7 +42,7 @@ TEST_CASE("every quantity has a name of its own and an explanation", "[lesson]")
 
 TEST_CASE("every quantity can be read of the golden walk", "[lesson]") {
     const auto recording = record();
-    const hs::trace::Step end = stand_on(*recording, "end");
+    const trace::Step end = stand_on(*recording, "end");
     for (const Quantity& quantity : quantities()) {
         INFO(quantity.name);
         const bool of_vertex = quantity.of == QuantityOf::vertex;
@@ -117,3 +116,5 @@ TEST_CASE("values print as people write them", "[lesson]") {
     CHECK(print_value(make_pixel_set({{3, 1}, {2, 1}, {5, 0}, {2, 1}})) == "(5, 0) (2, 1) (3, 1)");
     CHECK(print_value(PixelSet{}) == "none");
 }
+
+} // namespace hs::lesson

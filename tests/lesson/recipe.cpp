@@ -10,12 +10,12 @@
 #include <fstream>
 #include <sstream>
 
+namespace hs::lesson {
+
 namespace {
 
-using namespace hs::lesson;
-
 std::string read_page() {
-    std::ifstream file(hs::test::source_dir() / "docs/lessons.md");
+    std::ifstream file(test::source_dir() / "docs/lessons.md");
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -35,12 +35,12 @@ std::string find_example(const std::string& page) {
 } // namespace
 
 TEST_CASE("the example of the recipe is a lesson that holds", "[lesson]") {
-    const auto file = hs::test::source_dir() / "lessons/01-one-triangle/lesson.md";
+    const auto file = test::source_dir() / "lessons/01-one-triangle/lesson.md";
 
     const Lesson lesson = parse_lesson(find_example(read_page()), file).value();
 
     std::string problems;
-    for (const hs::Diagnostic& problem : check_lesson(lesson)) {
+    for (const Diagnostic& problem : check_lesson(lesson)) {
         problems += problem.to_string() + '\n';
     }
     CHECK(problems.empty());
@@ -66,7 +66,9 @@ TEST_CASE("the recipe lists every view, panel and kind of question", "[lesson]")
             );
         }
     };
-    check_names(hs::names<View>());
-    check_names(hs::names<Panel>());
-    check_names(hs::names<QuestionKind>());
+    check_names(names<View>());
+    check_names(names<Panel>());
+    check_names(names<QuestionKind>());
 }
+
+} // namespace hs::lesson

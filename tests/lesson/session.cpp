@@ -4,9 +4,9 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/paths.hpp"
 
-namespace {
+namespace hs::lesson {
 
-using namespace hs::lesson;
+namespace {
 
 /// Two steps around the golden walk's triangle, small enough to read here.
 constexpr const char* text = R"(```halfspace
@@ -66,12 +66,12 @@ Text.
 )";
 
 std::shared_ptr<const Lesson> lesson() {
-    const auto folder = hs::test::source_dir() / "lessons/01-one-triangle";
+    const auto folder = test::source_dir() / "lessons/01-one-triangle";
     return std::make_shared<const Lesson>(parse_lesson(text, folder / "lesson.md").value());
 }
 
 PixelSet row_7(int first, int last) {
-    std::vector<hs::PixelPos> pixels;
+    std::vector<PixelPos> pixels;
     for (int x = first; x <= last; ++x) {
         pixels.push_back({x, 7});
     }
@@ -84,9 +84,9 @@ TEST_CASE("a session stands where the step says", "[lesson]") {
     const Session session(lesson());
 
     REQUIRE(session.problems().empty());
-    const hs::trace::Step step = describe_step(*session.recording(), session.stand());
-    CHECK(step.kind == hs::trace::StepKind::depth_test);
-    CHECK(step.pixel == hs::PixelPos{8, 6});
+    const trace::Step step = describe_step(*session.recording(), session.stand());
+    CHECK(step.kind == trace::StepKind::depth_test);
+    CHECK(step.pixel == PixelPos{8, 6});
 }
 
 TEST_CASE("what is hidden reads ? until the question is revealed", "[lesson]") {
@@ -263,7 +263,7 @@ TEST_CASE(
 ) {
     std::string broken = text;
     broken.replace(broken.find("triangle.toml"), 13, "nowhere.toml!");
-    const auto folder = hs::test::source_dir() / "lessons/01-one-triangle";
+    const auto folder = test::source_dir() / "lessons/01-one-triangle";
     Session session(
         std::make_shared<const Lesson>(parse_lesson(broken, folder / "lesson.md").value())
     );
@@ -283,3 +283,5 @@ TEST_CASE("going past the last step stays on the last step", "[lesson]") {
     CHECK(session.index() == 1);
     CHECK(session.step().title == "Second");
 }
+
+} // namespace hs::lesson
