@@ -112,7 +112,7 @@ const std::map<std::string_view, std::vector<std::string_view>> adapters{
     {"nlohmann/", {"core/export/", "app/command/", "app/bench/"}},
     {"zip.h", {"core/export/"}},
     {"md4c.h", {"app/lesson/"}},
-    {"imgui", {"app/viewer/", "app/host/"}},
+    {"imgui", {"app/viewer/", "app/host/", "app/bench/"}}, // bench times the viewer
     {"backends/imgui", {"app/host/"}},
     {"GLFW/", {"app/host/"}},
     {"GL/", {"app/host/", "app/peer/"}},

@@ -16,8 +16,12 @@ constexpr std::string_view spelled() {
 template <auto value>
 constexpr bool is_enumerator() {
     constexpr std::string_view text = spelled<value>();
-    constexpr std::string_view argument = text.substr(text.find("value = ") + 8);
-    return !argument.starts_with('(');
+    constexpr std::size_t begin = text.find("value = ") + 8;
+    constexpr std::string_view argument =
+        text.substr(begin, text.find_first_of(";]", begin) - begin);
+    // A cast ends in ")4"; the parenthesis of "(anonymous namespace)::" is followed by a colon
+    constexpr std::size_t cast = argument.rfind(')');
+    return cast == std::string_view::npos || argument[cast + 1] == ':';
 }
 
 /// The number of enumerators when they count from 0 without gaps, up to 64.

@@ -128,7 +128,7 @@ glm::vec4 clip_at(const glm::dvec2& window, float ndc_z, float w, const PixelRec
     const double half_height = image.height() / 2.0;
     const double x = (window.x - half_width) / half_width;
     const double y = -(window.y - half_height) / half_height;
-    const double wide_w = w;
+    const auto wide_w = static_cast<double>(w);
     return {static_cast<float>(x * wide_w), static_cast<float>(y * wide_w), ndc_z * w, w};
 }
 

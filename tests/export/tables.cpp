@@ -1,0 +1,187 @@
+// Tables, parsed again: CSV by hand, JSON by a JSON library.
+#include "core/export/table_file.hpp"
+#include "tests/export/recorded.hpp"
+#include "tests/export/temporary_folder.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <sstream>
+
+using namespace hs;
+using tests::TemporaryFolder;
+
+namespace {
+
+exporting::Table table_of(const trace::Player& player, std::string_view name) {
+    auto table = exporting::make_table(player, name);
+    REQUIRE(table);
+    return *table;
+}
+
+nlohmann::json as_json(const trace::Player& player, std::string_view name) {
+    const TemporaryFolder folder;
+    REQUIRE(exporting::write_json(folder / "table.json", table_of(player, name)));
+    return nlohmann::json::parse(tests::read_text(folder / "table.json"));
+}
+
+std::vector<std::string> fields(const std::string& line) {
+    std::vector<std::string> result;
+    std::istringstream stream(line);
+    for (std::string field; std::getline(stream, field, ',');) {
+        result.push_back(field);
+    }
+    return result;
+}
+
+} // namespace
+
+TEST_CASE(
+    "every table has its documented columns and as many rows as the frame has things",
+    "[export][table]"
+) {
+    const trace::Player player = tests::random_player(11);
+    const trace::Recording& recording = player.recording();
+    CHECK(table_of(player, "triangles").rows == recording.triangles.size());
+    CHECK(table_of(player, "fragments").rows == player.fragments_done());
+    CHECK(table_of(player, "counters").rows == 1);
+    std::size_t vertices = 0;
+    for (const trace::ObjectRange& object : recording.objects) {
+        vertices += object.vertex_count;
+    }
+    CHECK(table_of(player, "vertices").rows == vertices);
+
+    const nlohmann::json table = as_json(player, "triangles");
+    for (const char* column :
+         {"triangle.object_index",
+          "triangle.face",
+          "triangle.vertices",
+          "triangle.verdict",
+          "triangle.clip_planes",
+          "triangle.first_step"}) {
+        INFO(column);
+        REQUIRE(table.contains(column));
+        CHECK(table[column].size() == recording.triangles.size());
+    }
+}
+
+TEST_CASE("the table of vertices has each vertex in every space", "[export][table]") {
+    int hidden = 0;
+    for (std::uint64_t seed = 0; seed < tests::random_frames; ++seed) {
+        const trace::Player player = tests::random_player(seed);
+        const trace::Recording& recording = player.recording();
+        const nlohmann::json table = as_json(player, "vertices");
+        std::size_t row = 0;
+        for (std::uint32_t object = 0; object < recording.objects.size(); ++object) {
+            for (std::uint32_t v = 0; v < recording.objects[object].vertex_count; ++v, ++row) {
+                const trace::VertexDetail detail = trace::vertex_detail(recording, object, v);
+                CHECK(table["vertex.object_index"][row] == object);
+                CHECK(table["vertex.world"][row][0] == detail.work.world.x);
+                CHECK(table["vertex.eye"][row][2] == detail.work.eye.z);
+                CHECK(table["vertex.clip"][row][3] == detail.work.clip.w);
+                if (detail.work.clip.w > 0.0F) {
+                    CHECK(table["vertex.ndc"][row][1] == detail.window.ndc.y);
+                    CHECK(table["vertex.window"][row][2] == detail.window.window.depth);
+                } else {
+                    CHECK(table["vertex.ndc"][row][1].is_null());
+                    CHECK(table["vertex.window"][row][2].is_null());
+                    ++hidden;
+                }
+            }
+        }
+    }
+    CHECK(hidden > 0);
+}
+
+TEST_CASE(
+    "the table of fragments tells what each was tested against and what became of it",
+    "[export][table]"
+) {
+    for (std::uint64_t seed = 0; seed < tests::random_frames; ++seed) {
+        const trace::Player player = tests::random_player(seed);
+        const trace::Recording& recording = player.recording();
+        const nlohmann::json table = as_json(player, "fragments");
+        int wrong = 0;
+        for (std::uint32_t i = 0; i < player.fragments_done(); ++i) {
+            const trace::FragmentRecord& fragment = recording.fragments[i];
+            const trace::PixelBefore before = trace::pixel_before(recording, i);
+            const bool right =
+                table["fragment.pixel"][i] == nlohmann::json{fragment.x, fragment.y} &&
+                table["fragment.depth"][i] == fragment.depth &&
+                table["fragment.stored_depth"][i] == before.depth &&
+                table["fragment.triangle"][i] == recording.run_of_fragment(i).triangle &&
+                table["fragment.fate"][i] == name_of(fragment.fate);
+            wrong += right ? 0 : 1;
+        }
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("counters go up to the step", "[export][table]") {
+    trace::Player player(tests::recorded(tests::random_scene(2)));
+    CHECK(as_json(player, "counters")["counters.fragments"][0] == player.counters().fragments);
+    player.seek(0);
+    CHECK(as_json(player, "counters")["counters.fragments"][0] == 0);
+}
+
+TEST_CASE("a CSV table has a name and a number for every component", "[export][table]") {
+    const TemporaryFolder folder;
+    const trace::Player player = tests::random_player(4);
+    for (const exporting::TableName& name : exporting::table_names()) {
+        INFO(name.name);
+        const exporting::Table table = table_of(player, name.name);
+        REQUIRE(exporting::write_csv(folder / "table.csv", table));
+        std::istringstream lines(tests::read_text(folder / "table.csv"));
+        std::string line;
+        REQUIRE(std::getline(lines, line));
+        const std::size_t columns = fields(line).size();
+        std::size_t rows = 0;
+        for (; std::getline(lines, line); ++rows) {
+            REQUIRE(fields(line).size() == columns);
+        }
+        CHECK(rows == table.rows);
+    }
+}
+
+TEST_CASE(
+    "pieces of clipped triangles are weighted means of the triangle's vertices", "[export][table]"
+) {
+    int pieces = 0;
+    for (std::uint64_t seed = 0; seed < tests::random_frames; ++seed) {
+        const trace::Player player = tests::random_player(seed);
+        const trace::Recording& recording = player.recording();
+        const nlohmann::json table = as_json(player, "pieces");
+        const nlohmann::json vertices = as_json(player, "piece-vertices");
+        for (std::size_t i = 0; i < table["piece.triangle"].size(); ++i, ++pieces) {
+            const std::uint32_t triangle = table["piece.triangle"][i];
+            const std::uint32_t object = recording.object_of_triangle(triangle);
+            const trace::TriangleDetail detail = trace::triangle_detail(
+                recording, object, triangle - recording.objects[object].first_triangle
+            );
+            for (const std::size_t v : table["piece.vertices"][i]) {
+                const auto weights = vertices["piece_vertex.weights"][v].get<std::vector<float>>();
+                CHECK(weights[0] + weights[1] + weights[2] == Approx(1.0F));
+                float x = 0.0F;
+                float size = 0.0F;
+                for (std::size_t corner = 0; corner < 3; ++corner) {
+                    const float own = detail.corners[corner].work.clip.x;
+                    x += weights[corner] * own;
+                    size += std::abs(own);
+                }
+                const float clip_x = vertices["piece_vertex.clip"][v][0];
+                CHECK(std::abs(clip_x - x) <= 1.0e-5F * size);
+            }
+        }
+    }
+    CHECK(pieces > 20);
+}
+
+TEST_CASE("an unknown table is refused with the names of those there are", "[export][table]") {
+    const auto table = exporting::make_table(tests::random_player(0), "normals");
+    REQUIRE_FALSE(table);
+    CHECK(
+        table.diagnostics().front().message ==
+        "'normals' is not a table; known are vertices, triangles, fragments, counters, runs, "
+        "pieces, piece-vertices"
+    );
+}
