@@ -43,10 +43,8 @@ std::vector<float> read_image(const std::filesystem::path& path) {
     const auto input = OIIO::ImageInput::open(path.string());
     REQUIRE(input);
     const OIIO::ImageSpec& spec = input->spec();
-    std::vector<float> values(
-        static_cast<std::size_t>(spec.image_pixels()) * static_cast<std::size_t>(spec.nchannels)
-    );
-    REQUIRE(input->read_image(OIIO::TypeDesc::FLOAT, values.data()));
+    std::vector<float> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    REQUIRE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()));
     return values;
 }
 

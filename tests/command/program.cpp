@@ -12,7 +12,7 @@
 namespace hs::tests {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string shell_word(const std::string& text) {
     std::string result = "'";
     for (const char letter : text) {
         result += letter == '\'' ? std::string{"'\\''"} : std::string{letter};
@@ -30,14 +30,14 @@ Outcome run_program(
     const auto program = test::program();
     REQUIRE(program);
     const TemporaryFolder folder;
-    std::string command = prelude + quoted(program->string());
+    std::string command = prelude + shell_word(program->string());
     for (const std::string& argument : arguments) {
-        command += ' ' + quoted(argument);
+        command += ' ' + shell_word(argument);
     }
     command += fmt::format(" 2>{} ", (folder / "err").string());
     command += redirect.empty() ? ">" + (folder / "out").string() : redirect;
     // A shell of its own, so that limits set in it end with it
-    const std::string in_shell = "sh -c " + quoted(command);
+    const std::string in_shell = "sh -c " + shell_word(command);
     const int status = std::system(in_shell.c_str()); // NOLINT(concurrency-mt-unsafe,cert-env33-c)
     return {
         WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),

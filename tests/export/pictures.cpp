@@ -38,9 +38,9 @@ ReadBack read_floats(const std::filesystem::path& path) {
     REQUIRE(input);
     ReadBack image{input->spec(), {}};
     const auto count = static_cast<std::size_t>(image.spec.nchannels);
-    const auto pixels = static_cast<std::size_t>(image.spec.image_pixels());
+    const auto pixels = image.spec.image_pixels();
     std::vector<float> values(pixels * count);
-    REQUIRE(input->read_image(OIIO::TypeDesc::FLOAT, values.data()));
+    REQUIRE(input->read_image(0, 0, 0, -1, OIIO::TypeDesc::FLOAT, values.data()));
     for (std::size_t c = 0; c < count; ++c) {
         std::vector<float>& channel = image.channels[image.spec.channelnames[c]];
         for (std::size_t i = 0; i < pixels; ++i) {
@@ -58,10 +58,8 @@ std::vector<T> read_png(const std::filesystem::path& path, OIIO::TypeDesc type, 
     REQUIRE(input);
     REQUIRE(input->spec().format == type);
     REQUIRE(input->spec().nchannels == channels);
-    std::vector<T> values(
-        static_cast<std::size_t>(input->spec().image_pixels()) * static_cast<std::size_t>(channels)
-    );
-    REQUIRE(input->read_image(type, values.data()));
+    std::vector<T> values(input->spec().image_pixels() * static_cast<std::size_t>(channels));
+    REQUIRE(input->read_image(0, 0, 0, -1, type, values.data()));
     return values;
 }
 

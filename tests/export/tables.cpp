@@ -76,12 +76,14 @@ TEST_CASE("the table of vertices has each vertex in every space", "[export][tabl
             for (std::uint32_t v = 0; v < recording.objects[object].vertex_count; ++v, ++row) {
                 const trace::VertexDetail detail = trace::vertex_detail(recording, object, v);
                 CHECK(table["vertex.object_index"][row] == object);
-                CHECK(table["vertex.world"][row][0] == detail.work.world.x);
-                CHECK(table["vertex.eye"][row][2] == detail.work.eye.z);
-                CHECK(table["vertex.clip"][row][3] == detail.work.clip.w);
+                CHECK(table["vertex.world"][row][0].get<float>() == detail.work.world.x);
+                CHECK(table["vertex.eye"][row][2].get<float>() == detail.work.eye.z);
+                CHECK(table["vertex.clip"][row][3].get<float>() == detail.work.clip.w);
                 if (detail.work.clip.w > 0.0F) {
-                    CHECK(table["vertex.ndc"][row][1] == detail.window.ndc.y);
-                    CHECK(table["vertex.window"][row][2] == detail.window.window.depth);
+                    CHECK(table["vertex.ndc"][row][1].get<float>() == detail.window.ndc.y);
+                    CHECK(
+                        table["vertex.window"][row][2].get<float>() == detail.window.window.depth
+                    );
                 } else {
                     CHECK(table["vertex.ndc"][row][1].is_null());
                     CHECK(table["vertex.window"][row][2].is_null());
@@ -107,8 +109,8 @@ TEST_CASE(
             const trace::PixelBefore before = trace::pixel_before(recording, i);
             const bool right =
                 table["fragment.pixel"][i] == nlohmann::json{fragment.x, fragment.y} &&
-                table["fragment.depth"][i] == fragment.depth &&
-                table["fragment.stored_depth"][i] == before.depth &&
+                table["fragment.depth"][i].get<float>() == fragment.depth &&
+                table["fragment.stored_depth"][i].get<float>() == before.depth &&
                 table["fragment.triangle"][i] == recording.run_of_fragment(i).triangle &&
                 table["fragment.fate"][i] == name_of(fragment.fate);
             wrong += right ? 0 : 1;
