@@ -8,7 +8,7 @@ namespace hs::viewer {
 Layout make_layout(ImVec2 window, const Theme& theme, bool show_space) {
     const float hairline = 1.0F;
     const auto share = [&](float part, float least, float most) {
-        return std::floor(std::clamp(window.x * part, theme.units(least), theme.units(most)));
+        return std::floor(keep_within(window.x * part, theme.units(least), theme.units(most)));
     };
     Layout l;
     const float menu_height = theme.units(8);

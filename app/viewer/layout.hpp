@@ -4,7 +4,14 @@
 #include "app/viewer/state.hpp"
 #include "app/viewer/theme.hpp"
 
+#include <algorithm>
+
 namespace hs::viewer {
+
+/// Between low and high; low where a tiny window leaves no room between them.
+[[nodiscard]] inline float keep_within(float value, float low, float high) {
+    return std::max(low, std::min(value, high));
+}
 
 struct Layout {
     Rect menu;

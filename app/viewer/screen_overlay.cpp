@@ -1,6 +1,7 @@
 #include "app/viewer/screen_overlay.hpp"
 
 #include "app/lesson/session.hpp"
+#include "app/viewer/layout.hpp"
 #include "app/viewer/lesson_form.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "app/viewer/viewer.hpp"
@@ -155,8 +156,8 @@ void draw_triangle_outline(const Canvas& canvas, const trace::PieceDetail& piece
         const float pad = canvas.theme.pixels(3);
         const Rect& area = canvas.view.area;
         const ImVec2 place{
-            std::clamp(corners[k].x + pad, area.x, area.right() - size.x - 2.0F * pad),
-            std::clamp(corners[k].y - size.y - pad, area.y, area.bottom() - size.y)};
+            keep_within(corners[k].x + pad, area.x, area.right() - size.x - 2.0F * pad),
+            keep_within(corners[k].y - size.y - pad, area.y, area.bottom() - size.y)};
         canvas.list.AddRectFilled(
             {place.x - pad, place.y},
             {place.x + size.x + pad, place.y + size.y},
@@ -203,8 +204,8 @@ void draw_edge_line(const Canvas& canvas, const trace::PieceDetail& piece, unsig
         const float radius = canvas.theme.units(2);
         const Rect& area = canvas.view.area;
         const ImVec2 at{
-            std::clamp(middle.x + side * away * ga / g, area.x + radius, area.right() - radius),
-            std::clamp(middle.y + side * away * gb / g, area.y + radius, area.bottom() - radius)};
+            keep_within(middle.x + side * away * ga / g, area.x + radius, area.right() - radius),
+            keep_within(middle.y + side * away * gb / g, area.y + radius, area.bottom() - radius)};
         canvas.list.AddCircleFilled(at, radius, canvas.theme[Tone::panel], 16);
         const char* const sign = side > 0.0F ? "+" : "−";
         const ImVec2 size = text_size(canvas.theme.fonts.mono, sign);

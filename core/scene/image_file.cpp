@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace hs::scene {
 
@@ -22,6 +25,32 @@ Diagnostic complaint(const std::filesystem::path& path, const std::string& messa
 std::string first_sentence(const std::string& text) {
     const std::size_t end = std::min(text.find('\n'), text.find(". "));
     return text.empty() ? "OpenImageIO does not say why" : text.substr(0, end);
+}
+
+/// Whether a PNG stops before its last chunk, IEND (PNG specification, section 5.3). libpng prints
+/// a line of its own about such files, so they never reach it. Other formats, and files that cannot
+/// be read at all, are left to OpenImageIO.
+bool png_ends_early(const std::filesystem::path& path) {
+    constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 8> bytes{};
+    if (!file.read(bytes.data(), bytes.size()) ||
+        std::string_view{bytes.data(), bytes.size()} != signature) {
+        return false;
+    }
+    while (file.read(bytes.data(), bytes.size())) {
+        // A chunk: length, name, content, check sum
+        std::streamoff length = 0;
+        for (unsigned i = 0; i < 4; ++i) {
+            length = length * 256 + static_cast<unsigned char>(bytes[i]);
+        }
+        if (std::string_view{bytes.data() + 4, 4} == "IEND") {
+            return false;
+        }
+        constexpr std::streamoff check_sum = 4;
+        file.seekg(length + check_sum, std::ios::cur);
+    }
+    return true;
 }
 
 std::optional<std::string> check_size(const OIIO::ImageSpec& spec) {
@@ -93,6 +122,9 @@ std::optional<std::string> read_rows(OIIO::ImageInput& input, Texture& texture) 
 Result<Texture> load_texture(const std::filesystem::path& path) {
     OIIO::ImageSpec wishes;
     wishes["oiio:UnassociatedAlpha"] = 1; // else colors come multiplied by alpha
+    if (png_ends_early(path)) {
+        return complaint(path, "the image ends in the middle; copy it again");
+    }
     const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &wishes);
     if (!input) {
         return complaint(path, "the image cannot be opened: " + first_sentence(OIIO::geterror()));

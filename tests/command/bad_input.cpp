@@ -45,7 +45,7 @@ std::string refused_mesh(const std::string& name, const std::string& text) {
 TEST_CASE("a scene's mistake is one line with file, line and column", "[app][command]") {
     CHECK(refused_scene(std::string{triangle} + "colour = 1\n").starts_with("scene.toml:4:1: "));
     CHECK(refused_scene("[settings]\nsize = \"big\"\n").starts_with("scene.toml:2:8: "));
-    CHECK(refused_scene("[camera]\neye = [nan, 0, 3]\n").starts_with("scene.toml:2:8: "));
+    CHECK(refused_scene("[camera]\neye = [nan, 0, 3]\n").starts_with("scene.toml:2:7: "));
     CHECK(refused_scene("[settings]\nsize = [0, 64]\n").starts_with("scene.toml:2:"));
     CHECK(refused_scene("[settings]\nsize = [100000, 64]\n").starts_with("scene.toml:2:"));
     CHECK(refused_scene("[[object]]\nvertices = [[0, 0, 0]]\npolygons = [[0, 0, 7]]\n")
