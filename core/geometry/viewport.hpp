@@ -8,6 +8,7 @@
 
 #include "core/base/fixed.hpp"
 #include "core/base/pixel.hpp"
+#include "core/math/reciprocal.hpp"
 #include "core/math/space.hpp"
 #include "core/scene/settings.hpp"
 
@@ -71,7 +72,7 @@ template <typename T>
 [[nodiscard]] inline WindowVertex
 to_window(const math::ClipPosition& clip, const Viewport& viewport) {
     WindowVertex v;
-    v.inv_w = 1.0F / clip.w;
+    v.inv_w = math::reciprocal(clip.w);
     if (!std::isfinite(v.inv_w)) {
         return v;
     }

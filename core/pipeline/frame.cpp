@@ -35,7 +35,10 @@ Transforms transforms_of(const scene::Scene& scene, const scene::Object& object)
     t.model = {scene::object_to_world(object)};
     t.view = scene::view_transform(scene.camera);
     t.projection = scene::projection_transform(scene.camera, aspect, settings.depth_convention);
-    t.normal = glm::transpose(glm::inverse(glm::mat3{t.view.matrix * t.model.matrix}));
+    // A model squashed flat (scale 0) has no inverse and no normals: ambient light only
+    const glm::mat3 to_eye{t.view.matrix * t.model.matrix};
+    t.normal =
+        glm::determinant(to_eye) == 0.0F ? glm::mat3{0.0F} : glm::transpose(glm::inverse(to_eye));
     return t;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/pixel.hpp"
 #include "core/math/interpolate.hpp"
+#include "core/math/reciprocal.hpp"
 #include "core/math/varyings.hpp"
 #include "core/raster/triangle_setup.hpp"
 #include "core/scene/settings.hpp"
@@ -57,7 +58,7 @@ struct Fragment {
     float b2 = lambda2;
     if (in.perspective) {
         const float inv_w = math::interpolate(in.inv_w0, in.inv_w1, in.inv_w2, lambda1, lambda2);
-        const float w = 1.0F / inv_w;
+        const float w = math::reciprocal(inv_w); // 0 only without clipping, between w > 0 and w < 0
         b1 = lambda1 * in.inv_w1 * w;
         b2 = lambda2 * in.inv_w2 * w;
     }

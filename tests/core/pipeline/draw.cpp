@@ -138,6 +138,20 @@ TEST_CASE("no vertex that is infinite or not a number is drawn from", "[pipeline
     }
 }
 
+TEST_CASE(
+    "without clipping, 1/w = 0 between front and back has a color all the same", "[pipeline]"
+) {
+    scene::Settings settings = settings_of(8, 8);
+    settings.clip_enabled = false;
+    // Halfway between w = 1 and w = −1, on pixel centers, 1/w is exactly 0
+    const tests::Soup soup{
+        {{-0.875F, 0.875F, 0, 1}, red},
+        {{-0.125F, -0.875F, 0, -1}, red},
+        {{-0.875F, -0.875F, 0, 1}, red}};
+    const Outcome result = outcome(soup, settings);
+    CHECK(result.verdicts.front() == TriangleVerdict::drawn);
+}
+
 TEST_CASE("every fate is reached, and every fragment has one", "[pipeline]") {
     scene::Settings settings = settings_of(8, 8);
     settings.scissor = PixelRect{2, 0, 8, 8};
