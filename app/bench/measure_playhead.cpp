@@ -172,11 +172,13 @@ std::shared_ptr<const trace::Recording> hundred_million_steps(Session& session) 
 /// The slowest of the busiest pixel and a thousand others.
 double slowest_history(const trace::Recording& recording) {
     std::vector<PixelPos> pixels;
-    const auto busiest = std::ranges::max_element(
-        recording.final_pixels.pixels, {}, [](const trace::PixelRecord& p) { return p.complexity; }
-    );
-    const auto at = static_cast<int>(busiest - recording.final_pixels.pixels.begin());
-    pixels.push_back({at % recording.width(), at / recording.width()});
+    PixelPos busiest;
+    recording.final_pixels.for_each([&](PixelPos p, const trace::PixelRecord& pixel) {
+        if (pixel.complexity > recording.final_pixels[busiest].complexity) {
+            busiest = p;
+        }
+    });
+    pixels.push_back(busiest);
     Generator random(13);
     for (int i = 0; i < 1000; ++i) {
         const auto x = static_cast<int>(random() % static_cast<unsigned>(recording.width()));

@@ -18,7 +18,7 @@ using trace::Recording;
 Result<FragmentDetail> find_fragment(const Recording& recording, const Subject& subject) {
     const std::uint32_t triangle =
         recording.objects[*subject.object].first_triangle + *subject.triangle;
-    std::uint32_t fragment = recording.last_fragment[recording.pixel_index(*subject.pixel)];
+    std::uint32_t fragment = recording.final_pixels[*subject.pixel].last_fragment;
     while (fragment != trace::no_fragment) {
         if (recording.run_of_fragment(fragment).triangle == triangle) {
             return trace::fragment_detail(recording, fragment);

@@ -66,7 +66,7 @@ Result<Value> image_height(const Recording& recording, const Subject& /*subject*
 }
 
 const trace::PixelRecord& pixel(const Recording& recording, const Subject& subject) {
-    return recording.final_pixels.pixels[recording.pixel_index(*subject.pixel)];
+    return recording.final_pixels[*subject.pixel];
 }
 
 Result<Value> pixel_depth(const Recording& recording, const Subject& subject) {

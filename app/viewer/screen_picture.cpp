@@ -146,22 +146,22 @@ void ScreenPicture::resize(const Document& document, ScreenContent content, Text
 /// Ranges come from the finished frame, so that colors keep their meaning while stepping.
 void ScreenPicture::measure(const Document& document, ScreenContent content) {
     range_ = {0.0F, 1.0F};
-    const std::vector<trace::PixelRecord>& pixels = document.recording().final_pixels.pixels;
+    const trace::PixelBuffer& pixels = document.recording().final_pixels;
     if (content == ScreenContent::depth) {
         ValueRange range{2.0F, -1.0F};
-        for (const trace::PixelRecord& pixel : pixels) {
+        pixels.for_each([&range](PixelPos, const trace::PixelRecord& pixel) {
             if (pixel.triangle != trace::no_triangle) {
                 range.low = std::min(range.low, pixel.depth);
                 range.high = std::max(range.high, pixel.depth);
             }
-        }
+        });
         range_ = range.low <= range.high ? range : ValueRange{};
     } else if (content == ScreenContent::overdraw || content == ScreenContent::complexity) {
         std::uint16_t most = 1;
-        for (const trace::PixelRecord& pixel : pixels) {
-            const bool overdraw = content == ScreenContent::overdraw;
+        const bool overdraw = content == ScreenContent::overdraw;
+        pixels.for_each([&most, overdraw](PixelPos, const trace::PixelRecord& pixel) {
             most = std::max(most, overdraw ? pixel.overdraw : pixel.complexity);
-        }
+        });
         range_ = {0.0F, static_cast<float>(most)};
     } else if (is_of_triangle(content) && content != ScreenContent::barycentric) {
         const trace::PieceDetail* piece = document.piece_detail();

@@ -1,5 +1,6 @@
 // Every fragment in execution order, and the runs they come in.
 #include "core/export/column.hpp"
+#include "core/framebuffer/depth.hpp"
 
 #include <algorithm>
 
@@ -37,23 +38,29 @@ public:
 
     float operator()(std::size_t fragment) {
         if (held_.empty() || fragment < next_) {
-            held_.clear();
-            for (const trace::PixelRecord& pixel :
-                 trace::cleared_pixels(recording_->settings()).pixels) {
-                held_.push_back(pixel.depth);
-            }
+            const scene::Settings& settings = recording_->settings();
+            held_.assign(
+                static_cast<std::size_t>(settings.width) *
+                    static_cast<std::size_t>(settings.height),
+                framebuffer::store_depth(settings.depth_clear(), settings.depth_format)
+            );
             next_ = 0;
         }
         for (; next_ < fragment; ++next_) {
             const trace::FragmentRecord& earlier = recording_->fragments[next_];
             if (earlier.depth_written) {
-                held_[recording_->pixel_index(earlier.pixel())] = earlier.depth;
+                held_[place_of(earlier.pixel())] = earlier.depth;
             }
         }
-        return held_[recording_->pixel_index(recording_->fragments[fragment].pixel())];
+        return held_[place_of(recording_->fragments[fragment].pixel())];
     }
 
 private:
+    [[nodiscard]] std::size_t place_of(PixelPos p) const {
+        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(recording_->width()) +
+               static_cast<std::size_t>(p.x);
+    }
+
     SharedRecording recording_;
     std::vector<float> held_; ///< per pixel, before fragment `next_`
     std::size_t next_ = 0;

@@ -31,7 +31,7 @@ PixelHistory pixel_history(const Recording& recording, PixelPos pixel, std::size
 
     // Follow the links from the last fragment to the first
     std::uint32_t earliest = no_fragment;
-    for (std::uint32_t i = recording.last_fragment[recording.pixel_index(pixel)]; i != no_fragment;
+    for (std::uint32_t i = recording.final_pixels[pixel].last_fragment; i != no_fragment;
          i = recording.fragments[i].previous) {
         if (history.rows.size() == limit) {
             ++history.left_out;

@@ -11,8 +11,8 @@ namespace {
 
 /// Costs of moving the framebuffer, in units of applying one logged fragment (measured: about 8
 /// ns).
-constexpr std::uint64_t undo_cost = 6;              // two dependent look-ups in the log
-constexpr std::uint64_t pixels_copied_per_unit = 4; // restoring a checkpoint is a plain copy
+constexpr std::uint64_t undo_cost = 6;         // two dependent look-ups in the log
+constexpr std::uint64_t restoring_cost = 8192; // the tiles' list, and copying what is then written
 
 void count_saturating(std::uint16_t& counter) {
     counter = static_cast<std::uint16_t>(counter + (counter < 0xFFFFU ? 1 : 0));
@@ -24,9 +24,9 @@ struct PixelCounts {
     std::uint32_t overdraw = 0;
 };
 
-PixelCounts count_pixel(const Recording& recording, std::size_t pixel, std::uint32_t done) {
+PixelCounts count_pixel(const Recording& recording, PixelPos pixel, std::uint32_t done) {
     PixelCounts counts;
-    for (std::uint32_t i = recording.last_fragment[pixel]; i != no_fragment;
+    for (std::uint32_t i = recording.final_pixels[pixel].last_fragment; i != no_fragment;
          i = recording.fragments[i].previous) {
         if (i < done) {
             ++counts.complexity;
@@ -37,15 +37,19 @@ PixelCounts count_pixel(const Recording& recording, std::size_t pixel, std::uint
 }
 
 /// The smallest rectangle that has both.
-void extend(PixelRect& rect, PixelPos p) {
+void extend(PixelRect& rect, const PixelRect& by) {
     if (rect.empty()) {
-        rect = {p.x, p.y, p.x + 1, p.y + 1};
-        return;
+        rect = by;
+    } else if (!by.empty()) {
+        rect.x0 = std::min(rect.x0, by.x0);
+        rect.y0 = std::min(rect.y0, by.y0);
+        rect.x1 = std::max(rect.x1, by.x1);
+        rect.y1 = std::max(rect.y1, by.y1);
     }
-    rect.x0 = std::min(rect.x0, p.x);
-    rect.y0 = std::min(rect.y0, p.y);
-    rect.x1 = std::max(rect.x1, p.x + 1);
-    rect.y1 = std::max(rect.y1, p.y + 1);
+}
+
+void extend(PixelRect& rect, PixelPos p) {
+    extend(rect, PixelRect{p.x, p.y, p.x + 1, p.y + 1});
 }
 
 std::uint16_t saturated(std::uint32_t count) {
@@ -56,6 +60,7 @@ std::uint16_t saturated(std::uint32_t count) {
 
 Player::Player(std::shared_ptr<const Recording> recording)
     : recording_(std::move(recording)),
+      cleared_(recording_->settings()),
       buffer_(recording_->final_pixels),
       fragments_done_(static_cast<std::uint32_t>(recording_->fragments.size())),
       changed_(recording_->settings().image()) {
@@ -99,24 +104,14 @@ bool Player::advance(Granularity granularity, Direction direction) {
     return moved;
 }
 
-glm::vec4 Player::color(PixelPos p) const {
-    const std::size_t at = recording_->pixel_index(p);
-    return buffer_.color32f.empty() ? framebuffer::unpack(buffer_.pixels[at].color)
-                                    : buffer_.color32f[at];
-}
-
 std::uint32_t Player::complexity(PixelPos p) const {
     const std::uint16_t kept = pixel(p).complexity;
-    return kept < 0xFFFFU
-               ? kept
-               : count_pixel(*recording_, recording_->pixel_index(p), fragments_done_).complexity;
+    return kept < 0xFFFFU ? kept : count_pixel(*recording_, p, fragments_done_).complexity;
 }
 
 std::uint32_t Player::overdraw(PixelPos p) const {
     const std::uint16_t kept = pixel(p).overdraw;
-    return kept < 0xFFFFU
-               ? kept
-               : count_pixel(*recording_, recording_->pixel_index(p), fragments_done_).overdraw;
+    return kept < 0xFFFFU ? kept : count_pixel(*recording_, p, fragments_done_).overdraw;
 }
 
 PixelRect Player::take_changed() {
@@ -176,7 +171,7 @@ void Player::apply_until(std::uint32_t fragments) {
     for (; fragments_done_ < fragments; ++fragments_done_) {
         if (fragments_done_ + ahead < fragments) {
             const PixelPos coming = recording_->fragments[fragments_done_ + ahead].pixel();
-            __builtin_prefetch(&buffer_.pixels[recording_->pixel_index(coming)], 1);
+            __builtin_prefetch(&buffer_[coming], 1);
         }
         while (run + 1 < runs.size() && runs[run + 1].first_fragment <= fragments_done_) {
             ++run;
@@ -189,15 +184,15 @@ void Player::apply_until(std::uint32_t fragments) {
 }
 
 void Player::apply(const FragmentRecord& f, std::uint32_t triangle) {
-    const std::size_t at = recording_->pixel_index(f.pixel());
-    PixelRecord& pixel = buffer_.pixels[at];
+    PixelRecord& pixel = buffer_.writable(f.pixel());
+    pixel.last_fragment = fragments_done_;
     count_saturating(pixel.complexity);
     if (f.written()) {
         count_saturating(pixel.overdraw);
         pixel.color = f.color;
         pixel.triangle = triangle;
-        if (!buffer_.color32f.empty()) {
-            buffer_.color32f[at] = recording_->color32f[fragments_done_];
+        if (buffer_.float_color()) {
+            buffer_.set_color32f(f.pixel(), recording_->color32f[fragments_done_]);
         }
     }
     if (f.depth_written) {
@@ -210,10 +205,10 @@ void Player::undo_until(std::uint32_t fragments) {
     while (fragments_done_ > fragments) {
         --fragments_done_;
         const FragmentRecord& f = recording_->fragments[fragments_done_];
-        const std::size_t at = recording_->pixel_index(f.pixel());
-        PixelRecord& pixel = buffer_.pixels[at];
+        PixelRecord& pixel = buffer_.writable(f.pixel());
+        pixel.last_fragment = f.previous;
         if (pixel.complexity == 0xFFFFU || pixel.overdraw == 0xFFFFU) {
-            const PixelCounts counts = count_pixel(*recording_, at, fragments_done_);
+            const PixelCounts counts = count_pixel(*recording_, f.pixel(), fragments_done_);
             pixel.complexity = saturated(counts.complexity);
             pixel.overdraw = saturated(counts.overdraw);
         } else {
@@ -225,32 +220,29 @@ void Player::undo_until(std::uint32_t fragments) {
             pixel.color = framebuffer::pack(before.color);
             pixel.depth = before.depth;
             pixel.triangle = before.triangle;
-            if (!buffer_.color32f.empty()) {
-                buffer_.color32f[at] = before.color;
+            if (buffer_.float_color()) {
+                buffer_.set_color32f(f.pixel(), before.color);
             }
         }
         extend(changed_, f.pixel());
     }
 }
 
-void Player::restore(const Checkpoint& checkpoint) {
-    buffer_ = checkpoint.buffer;
-    fragments_done_ = checkpoint.fragments;
-    changed_ = recording_->settings().image();
+void Player::restore(PixelBuffer buffer, std::uint32_t fragments) {
+    extend(changed_, buffer_.difference(buffer));
+    buffer_ = std::move(buffer);
+    fragments_done_ = fragments;
 }
 
 /// Moves the framebuffer to the state after `fragments` fragments by the cheapest way: on from
-/// here, back from here, or from the nearest checkpoint below.
+/// here, back from here, or from a framebuffer that was kept: the cleared one, the nearest
+/// checkpoint below, or the finished one.
 void Player::show_fragments(std::uint32_t fragments) {
-    const std::uint64_t copy = buffer_.pixels.size() / pixels_copied_per_unit;
     const auto all = static_cast<std::uint32_t>(recording_->fragments.size());
-    if (fragments == all && all - fragments_done_ > copy) {
-        buffer_ = recording_->final_pixels;
-        fragments_done_ = all;
-        changed_ = recording_->settings().image();
-        return;
-    }
-
+    const auto cost = [fragments](std::uint32_t from) {
+        return fragments >= from ? std::uint64_t{fragments - from}
+                                 : undo_cost * std::uint64_t{from - fragments};
+    };
     const std::vector<Checkpoint>& checkpoints = recording_->checkpoints;
     const auto above = std::upper_bound(
         checkpoints.begin(),
@@ -258,19 +250,14 @@ void Player::show_fragments(std::uint32_t fragments) {
         fragments,
         [](std::uint32_t f, const Checkpoint& c) { return f < c.fragments; }
     );
-    const std::uint32_t base = above == checkpoints.begin() ? 0 : (above - 1)->fragments;
-    const std::uint64_t from_checkpoint = copy + (fragments - base);
-    const std::uint64_t from_here = fragments >= fragments_done_
-                                        ? fragments - fragments_done_
-                                        : undo_cost * (fragments_done_ - fragments);
-    if (from_checkpoint < from_here) {
-        if (above == checkpoints.begin()) {
-            clear_pixels(buffer_, recording_->settings());
-            fragments_done_ = 0;
-            changed_ = recording_->settings().image();
-        } else {
-            restore(*(above - 1));
-        }
+    const PixelBuffer* base = above == checkpoints.begin() ? &cleared_ : &(above - 1)->buffer;
+    std::uint32_t base_fragments = above == checkpoints.begin() ? 0 : (above - 1)->fragments;
+    if (cost(all) < cost(base_fragments)) {
+        base = &recording_->final_pixels;
+        base_fragments = all;
+    }
+    if (restoring_cost + cost(base_fragments) < cost(fragments_done_)) {
+        restore(*base, base_fragments);
     }
     if (fragments >= fragments_done_) {
         apply_until(fragments);

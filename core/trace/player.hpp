@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -55,11 +54,8 @@ public:
     [[nodiscard]] std::optional<StepId> find_stage(Stage stage, Direction direction) const;
 
     /// Pixels after the current step.
-    [[nodiscard]] std::span<const PixelRecord> pixels() const { return buffer_.pixels; }
-    [[nodiscard]] const PixelRecord& pixel(PixelPos p) const {
-        return buffer_.pixels[recording_->pixel_index(p)];
-    }
-    [[nodiscard]] glm::vec4 color(PixelPos p) const;
+    [[nodiscard]] const PixelRecord& pixel(PixelPos p) const { return buffer_[p]; }
+    [[nodiscard]] glm::vec4 color(PixelPos p) const { return buffer_.color(p); }
     /// Fragments that have met their fate at the current step.
     [[nodiscard]] std::uint32_t fragments_done() const { return fragments_done_; }
     /// Exact numbers of fragments generated and written at a pixel up to the current step, beyond
@@ -80,12 +76,13 @@ public:
 private:
     void apply_until(std::uint32_t fragments);
     void undo_until(std::uint32_t fragments);
-    void restore(const Checkpoint& checkpoint);
+    void restore(PixelBuffer buffer, std::uint32_t fragments);
     void show_fragments(std::uint32_t fragments);
     void apply(const FragmentRecord& fragment, std::uint32_t triangle);
 
     std::shared_ptr<const Recording> recording_;
     Step current_;
+    PixelBuffer cleared_; ///< before the first fragment
     PixelBuffer buffer_;
     std::uint32_t fragments_done_ = 0;
     PixelRect changed_;

@@ -14,37 +14,40 @@ namespace {
 constexpr StepId index_spacing =
     2048; // steps; a re-run of that many takes well under a millisecond
 
-/// Where a recorded frame's fragments read and write.
+/// Where a recorded frame's fragments read and write. A fragment asks for the same pixel several
+/// times: it is looked up once.
 class RecordedPixels {
 public:
-    explicit RecordedPixels(const scene::Settings& settings)
-        : buffer_(cleared_pixels(settings)),
-          width_(static_cast<std::size_t>(settings.width)),
-          float_color_(settings.color_format == scene::ColorFormat::rgba32f) {}
+    explicit RecordedPixels(const scene::Settings& settings) : buffer_(settings) {}
 
-    [[nodiscard]] float depth(PixelPos p) const { return buffer_.pixels[index(p)].depth; }
-    [[nodiscard]] glm::vec4 color(PixelPos p) const {
-        return float_color_ ? buffer_.color32f[index(p)]
-                            : framebuffer::unpack(buffer_.pixels[index(p)].color);
-    }
-    void set_depth(PixelPos p, float depth) { buffer_.pixels[index(p)].depth = depth; }
+    [[nodiscard]] float depth(PixelPos p) const { return buffer_[p].depth; }
+    [[nodiscard]] glm::vec4 color(PixelPos p) const { return buffer_.color(p); }
+    void set_depth(PixelPos p, float depth) { writable(p).depth = depth; }
     void set_color(PixelPos p, const glm::vec4& color) {
-        buffer_.pixels[index(p)].color = framebuffer::pack(color);
-        if (float_color_) {
-            buffer_.color32f[index(p)] = color;
+        writable(p).color = framebuffer::pack(color);
+        if (buffer_.float_color()) {
+            buffer_.set_color32f(p, color);
         }
     }
 
-    [[nodiscard]] std::size_t index(PixelPos p) const {
-        return static_cast<std::size_t>(p.y) * width_ + static_cast<std::size_t>(p.x);
+    [[nodiscard]] PixelRecord& writable(PixelPos p) {
+        if (pixel_ == nullptr || p != at_) {
+            at_ = p;
+            pixel_ = &buffer_.writable(p);
+        }
+        return *pixel_;
     }
-    [[nodiscard]] bool float_color() const { return float_color_; }
-    [[nodiscard]] PixelBuffer& buffer() { return buffer_; }
+    /// A copy, which shares tiles: the next write must look its pixel up again.
+    [[nodiscard]] PixelBuffer snapshot() {
+        pixel_ = nullptr;
+        return buffer_;
+    }
+    [[nodiscard]] const PixelBuffer& buffer() const { return buffer_; }
 
 private:
     PixelBuffer buffer_;
-    std::size_t width_;
-    bool float_color_;
+    PixelPos at_;
+    PixelRecord* pixel_ = nullptr;
 };
 
 /// Counts up but stays at the largest value.
@@ -55,6 +58,8 @@ void count_saturating(std::uint16_t& counter) {
 /// The recording sink.
 class FactsTrace {
 public:
+    static constexpr bool ignores_values = true; // a re-run finds them again
+
     FactsTrace(Recording& recording, RecordedPixels& pixels, const RecordOptions& options)
         : recording_(recording),
           pixels_(pixels),
@@ -67,6 +72,9 @@ public:
     }
 
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
+        if (object != object_) {
+            keep_between_objects();
+        }
         object_ = object;
         triangle_ = triangle;
         frame_triangle_ = recording_.objects[object].first_triangle + triangle;
@@ -95,7 +103,11 @@ public:
             add_index_entry(unit);
         }
     }
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) { step(StepKind::edge_test); }
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) { edge_tests(1); }
+    void edge_tests(int pixels) {
+        step_ += static_cast<StepId>(pixels);
+        counters_.pixels_visited += static_cast<std::uint64_t>(pixels);
+    }
 
     void interpolated(const raster::Fragment& fragment) {
         step(StepKind::interpolate);
@@ -116,14 +128,13 @@ public:
         depth_written_ = merge.depth_written;
     }
     void fragment_end(fragment::FragmentFate fate) {
-        const std::size_t at = pixels_.index(pixel_);
         const auto number = static_cast<std::uint32_t>(recording_.fragments.size());
         if (!run_open_) {
             recording_.runs.push_back({number, frame_triangle_, static_cast<std::uint16_t>(piece_)}
             );
             run_open_ = true;
         }
-        PixelRecord& pixel = pixels_.buffer().pixels[at];
+        PixelRecord& pixel = pixels_.writable(pixel_);
         count_saturating(pixel.complexity);
         if (fate == fragment::FragmentFate::written) {
             count_saturating(pixel.overdraw);
@@ -134,12 +145,12 @@ public:
              .y = static_cast<std::uint16_t>(pixel_.y),
              .depth = depth_,
              .color = pixel.color,
-             .previous = std::exchange(recording_.last_fragment[at], number),
+             .previous = std::exchange(pixel.last_fragment, number),
              .fate = fate,
              .depth_written = depth_written_}
         );
-        if (pixels_.float_color()) {
-            recording_.color32f.push_back(pixels_.buffer().color32f[at]);
+        if (pixels_.buffer().float_color()) {
+            recording_.color32f.push_back(pixels_.buffer().color(pixel_));
         }
     }
     void triangle_end(geometry::TriangleVerdict verdict, geometry::Outcode crossed) {
@@ -178,12 +189,18 @@ private:
         }
     }
 
+    /// Steps by object or stage cross many fragments at once.
+    void keep_between_objects() {
+        const auto fragments = static_cast<std::uint32_t>(recording_.fragments.size());
+        if (fragments - last_checkpoint_ >= spacing_ / 64) {
+            add_checkpoint(fragments);
+        }
+    }
+
     /// Keeps the framebuffer; when the budget is full, doubles the spacing and lets every second
     /// checkpoint go.
     void add_checkpoint(std::uint32_t fragments) {
-        const PixelBuffer& buffer = pixels_.buffer();
-        const std::size_t size =
-            buffer.pixels.size() * sizeof(PixelRecord) + buffer.color32f.size() * sizeof(glm::vec4);
+        const std::size_t size = pixels_.buffer().bytes(); // never more, as tiles are shared
         std::vector<Checkpoint>& kept = recording_.checkpoints;
         last_checkpoint_ = fragments;
         while (!kept.empty() && (kept.size() + 1) * size > options_.checkpoint_budget) {
@@ -194,7 +211,7 @@ private:
             kept.resize(kept.size() / 2);
         }
         if ((kept.size() + 1) * size <= options_.checkpoint_budget) {
-            kept.push_back({fragments, buffer});
+            kept.push_back({fragments, pixels_.snapshot()});
         }
     }
 
@@ -235,6 +252,7 @@ void number_objects(Recording& recording) {
         triangle += triangles;
     }
     recording.triangles.resize(triangle);
+    recording.runs.reserve(triangle);
 }
 
 /// Draws every triangle, asking now and then whether to go on. False: stopped, or out of fragment
@@ -278,7 +296,6 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
 
     // Vertex stage of every object, then every triangle in file order
     RecordedPixels pixels(source.settings);
-    recording->last_fragment.assign(pixels.buffer().pixels.size(), no_fragment);
     FactsTrace facts(*recording, pixels, options);
     for (pipeline::DrawCall& call : recording->frame->calls()) {
         pipeline::run_vertex_stage(call, facts, options.threads);
@@ -294,7 +311,7 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
             .message = "more than 2147483648 fragments; record at a smaller size"};
     }
     facts.frame_end();
-    recording->final_pixels = std::move(pixels.buffer());
+    recording->final_pixels = pixels.snapshot();
     recording->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     return std::shared_ptr<const Recording>(std::move(recording));

@@ -1,7 +1,6 @@
 #include "core/trace/recording.hpp"
 
 #include "core/base/hash.hpp"
-#include "core/framebuffer/depth.hpp"
 
 #include <algorithm>
 
@@ -33,49 +32,30 @@ std::size_t Recording::bytes() const {
     std::size_t total = fragments.bytes() + color32f.bytes();
     total += triangles.capacity() * sizeof(TriangleRecord);
     total += runs.capacity() * sizeof(Run) + index.capacity() * sizeof(IndexEntry);
-    total += last_fragment.capacity() * sizeof(std::uint32_t);
-    const auto buffer_bytes = [](const PixelBuffer& buffer) {
-        return buffer.pixels.capacity() * sizeof(PixelRecord) +
-               buffer.color32f.capacity() * sizeof(glm::vec4);
-    };
+    std::vector<const PixelBuffer*> buffers{&final_pixels};
     for (const Checkpoint& checkpoint : checkpoints) {
-        total += buffer_bytes(checkpoint.buffer);
+        buffers.push_back(&checkpoint.buffer);
     }
-    return total + buffer_bytes(final_pixels);
+    return total + PixelBuffer::bytes_together(buffers);
 }
 
 std::uint64_t Recording::digest() const {
     Digest digest;
-    for (std::size_t i = 0; i < final_pixels.pixels.size(); ++i) {
-        if (final_pixels.color32f.empty()) {
-            digest.add(final_pixels.pixels[i].color);
-        } else {
-            const glm::vec4& color = final_pixels.color32f[i];
-            for (const float channel : {color.r, color.g, color.b, color.a}) {
-                digest.add(channel);
+    for (int y = 0; y < height(); ++y) {
+        for (int x = 0; x < width(); ++x) {
+            const PixelRecord& pixel = final_pixels[{x, y}];
+            if (!float_color()) {
+                digest.add(pixel.color);
+            } else {
+                const glm::vec4 color = final_pixels.color({x, y});
+                for (const float channel : {color.r, color.g, color.b, color.a}) {
+                    digest.add(channel);
+                }
             }
+            digest.add(pixel.depth);
         }
-        digest.add(final_pixels.pixels[i].depth);
     }
     return digest.value();
-}
-
-PixelBuffer cleared_pixels(const scene::Settings& settings) {
-    PixelBuffer buffer;
-    clear_pixels(buffer, settings);
-    return buffer;
-}
-
-void clear_pixels(PixelBuffer& buffer, const scene::Settings& settings) {
-    const std::size_t count =
-        static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-    PixelRecord clear;
-    clear.color = framebuffer::pack(settings.background);
-    clear.depth = framebuffer::store_depth(settings.depth_clear(), settings.depth_format);
-    buffer.pixels.assign(count, clear);
-    if (settings.color_format == scene::ColorFormat::rgba32f) {
-        buffer.color32f.assign(count, settings.background);
-    }
 }
 
 } // namespace hs::trace

@@ -9,10 +9,10 @@
 #include "core/base/diagnostic.hpp"
 #include "core/base/parallel.hpp"
 #include "core/fragment/fate.hpp"
-#include "core/framebuffer/color.hpp"
 #include "core/geometry/facing.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/trace/chunked.hpp"
+#include "core/trace/pixel_buffer.hpp"
 #include "core/trace/step.hpp"
 
 #include <array>
@@ -22,9 +22,6 @@
 #include <vector>
 
 namespace hs::trace {
-
-inline constexpr std::uint32_t no_fragment = 0xFFFFFFFFU;
-inline constexpr std::uint32_t no_triangle = 0xFFFFFFFFU;
 
 /// One fragment, in execution order.
 struct FragmentRecord {
@@ -79,24 +76,6 @@ struct IndexEntry {
     Counters before;
 };
 
-/// What a pixel holds, beside its color in rgba32f frames.
-struct PixelRecord {
-    framebuffer::Rgba8 color = 0;
-    float depth = 0.0F;
-    std::uint32_t triangle = no_triangle; ///< owner, over the whole frame in file order
-    std::uint16_t complexity = 0; ///< fragments generated here; 65535 means "that many or more"
-    std::uint16_t overdraw = 0;   ///< fragments written here; likewise
-    friend bool operator==(const PixelRecord&, const PixelRecord&) = default;
-};
-static_assert(sizeof(PixelRecord) == 16);
-
-/// All pixels, row by row from the top.
-struct PixelBuffer {
-    std::vector<PixelRecord> pixels;
-    std::vector<glm::vec4> color32f; ///< rgba32f frames only, else empty
-    friend bool operator==(const PixelBuffer&, const PixelBuffer&) = default;
-};
-
 /// The framebuffer after the first `fragments` fragments.
 struct Checkpoint {
     std::uint32_t fragments = 0;
@@ -131,8 +110,6 @@ struct Recording {
         index; ///< by step; the first entry is the first triangle's beginning, if there is one
     std::vector<Checkpoint>
         checkpoints; ///< by fragments; the cleared framebuffer is not kept, it is made
-    std::vector<std::uint32_t>
-        last_fragment; ///< per pixel: the last that reached it, or no_fragment
     PixelBuffer final_pixels;
     Counters counters;              ///< of the whole frame
     StepId first_triangle_step = 0; ///< the step after the vertex stage
@@ -147,10 +124,6 @@ struct Recording {
     }
     [[nodiscard]] int width() const { return settings().width; }
     [[nodiscard]] int height() const { return settings().height; }
-    [[nodiscard]] std::size_t pixel_index(PixelPos p) const {
-        return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width()) +
-               static_cast<std::size_t>(p.x);
-    }
     /// Frame-wide triangle number to object and its own number. Precondition: in range.
     [[nodiscard]] std::uint32_t object_of_triangle(std::uint32_t triangle) const;
     /// The run a fragment belongs to.
@@ -161,14 +134,9 @@ struct Recording {
     [[nodiscard]] std::uint64_t digest() const;
 };
 
-/// What every pixel holds before the first fragment.
-PixelBuffer cleared_pixels(const scene::Settings& settings);
-/// The same into a buffer that is there already: no memory is asked for when its size is right.
-void clear_pixels(PixelBuffer& buffer, const scene::Settings& settings);
-
 struct RecordOptions {
     std::size_t checkpoint_budget = std::size_t{512} << 20U; ///< bytes
-    std::uint32_t checkpoint_spacing = 1U << 19U; ///< fragments between checkpoints, at first
+    std::uint32_t checkpoint_spacing = 1U << 20U; ///< fragments between checkpoints, at first
     unsigned threads = hardware_threads();        ///< for the vertex stage
     /// Called now and then with the part done in [0, 1]; returning false stops. May be empty.
     std::function<bool(double)> progress{};

@@ -58,8 +58,10 @@ TEST_CASE("NumPy opens an NPZ of buffers", "[export][npz]") {
     const std::filesystem::path file = folder / "buffers.npz";
     REQUIRE(exporting::write_npz(file, *layers, exporting::attributes_of(player)));
     std::string bits;
-    for (const trace::PixelRecord& pixel : player.pixels()) {
-        bits += fmt::format("{:08x}", std::bit_cast<std::uint32_t>(pixel.depth));
+    for (int y = 0; y < player.recording().height(); ++y) {
+        for (int x = 0; x < player.recording().width(); ++x) {
+            bits += fmt::format("{:08x}", std::bit_cast<std::uint32_t>(player.pixel({x, y}).depth));
+        }
     }
     const std::string script =
         "print(t['depth'].dtype, t['depth'].shape, t['color'].shape, t['triangle'].dtype)\n"

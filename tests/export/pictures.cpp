@@ -206,7 +206,7 @@ TEST_CASE(
         player.seek(*player.find_stage(trace::Stage::merge, trace::Direction::backward));
         const auto layers = layers_of(player, {"barycentric", "edge0", "edge1", "edge2"});
         const PixelPos p = player.current().pixel;
-        const auto at = player.recording().pixel_index(p);
+        const auto at = static_cast<std::size_t>(p.y * player.recording().width() + p.x);
         const float* weights = &layers[0].values[3 * at];
         CHECK(weights[0] + weights[1] + weights[2] == Approx(1.0F));
         CHECK(weights[1] >= 0.0F);

@@ -28,9 +28,7 @@ std::shared_ptr<const trace::Recording> recorded(
 
 /// A budget so small that checkpoints are made at every index entry and most must go again.
 trace::RecordOptions tight_budget(const scene::Settings& settings) {
-    const auto pixels =
-        static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-    return {.checkpoint_budget = 3 * pixels * 32, .checkpoint_spacing = 1};
+    return {.checkpoint_budget = 3 * trace::PixelBuffer(settings).bytes(), .checkpoint_spacing = 1};
 }
 
 } // namespace
@@ -42,11 +40,14 @@ TEST_CASE("a frame untraced, recorded and stepped is bit-identical", "[property]
         framebuffer::Framebuffer untraced(scene->settings);
         pipeline::NullTrace nothing;
         pipeline::draw_frame(frame, untraced, nothing);
+        framebuffer::Framebuffer on_threads(scene->settings);
+        pipeline::draw_frame(frame, on_threads, nothing, 3);
 
         const auto recording = recorded(scene);
         trace::Player player(recording);
         INFO(scene->name);
         CHECK(recording->digest() == untraced.digest());
+        CHECK(on_threads.digest() == untraced.digest());
         player.seek(0);
         while (player.advance(Granularity::fragment, Direction::forward)) {
         }
