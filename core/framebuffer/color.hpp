@@ -15,9 +15,10 @@ using Rgba8 = std::uint32_t;
     // Adding 2^23 leaves no fraction bits: the sum is rounded by the hardware, to nearest, ties to
     // even
     constexpr float round_to_integer = 8388608.0F;
-    const float scaled = !(v > 0.0F) ? 0.0F : v >= 1.0F ? 255.0F : v * 255.0F;
-    const float rounded = (scaled + round_to_integer) - round_to_integer;
-    return static_cast<std::uint32_t>(rounded);
+    const float positive = v > 0.0F ? v : 0.0F; // written so that NaN becomes 0
+    const float clamped = positive < 1.0F ? positive : 1.0F;
+    const float rounded = (clamped * 255.0F + round_to_integer) - round_to_integer;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(rounded));
 }
 
 [[nodiscard]] inline Rgba8 pack(const glm::vec4& c) {

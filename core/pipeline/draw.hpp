@@ -8,20 +8,23 @@
 #include "core/framebuffer/framebuffer.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/pipeline/narration.hpp"
+#include "core/pipeline/row_bands.hpp"
 #include "core/raster/traverse.hpp"
 
 #include <limits>
+#include <type_traits>
 
 namespace hs::pipeline {
 
 /// Which part of a triangle's traversal to run: from unit `first_unit` of piece `first_piece` up
-/// to, not including, unit `last_unit` of piece `last_piece`. Geometry always runs. The default is
-/// everything.
+/// to, not including, unit `last_unit` of piece `last_piece`, and in `band` of the image only.
+/// Geometry always runs. The default is everything.
 struct TriangleScope {
     int first_piece = 0;
     int first_unit = 0;
     int last_piece = std::numeric_limits<int>::max();
     int last_unit = 0;
+    PixelRect band{0, 0, std::numeric_limits<int>::max(), std::numeric_limits<int>::max()};
 
     [[nodiscard]] raster::UnitRange units(int piece) const {
         raster::UnitRange range;
@@ -34,14 +37,6 @@ struct TriangleScope {
         return range;
     }
 };
-
-/// Shade: interpolated varyings to a color.
-template <TraceSink Trace>
-glm::vec4 shade_fragment(const DrawCall& call, const raster::Fragment& fragment, Trace& trace) {
-    const shading::ShadedFragment shaded = shading::shade(call.vertex.shading, fragment.varyings);
-    trace.shaded(shaded);
-    return shaded.color;
-}
 
 /// Test: scissor, then depth. `depth` is the fragment's depth as the format stores it.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
@@ -101,17 +96,17 @@ struct Piece {
 /// What its fragments are made from.
 struct PieceSetup {
     raster::TriangleSetup edges;
-    raster::Interpolants interpolants;
+    raster::Interpolator interpolator;
 };
 
 /// Set up: edge functions, and what will be interpolated.
-[[nodiscard]] inline PieceSetup
-set_up_piece(const DrawCall& call, const Piece& piece, std::int64_t doubled_area) {
+[[nodiscard]] inline PieceSetup set_up_piece(
+    const DrawCall& call, const Piece& piece, std::int64_t doubled_area, const PixelRect& region
+) {
     const auto& [v0, v1, v2] = piece.window;
     return {
-        .edges =
-            raster::set_up({v0.fixed, v1.fixed, v2.fixed}, doubled_area, call.settings.image()),
-        .interpolants = {
+        .edges = raster::set_up({v0.fixed, v1.fixed, v2.fixed}, doubled_area, region),
+        .interpolator = raster::Interpolator({
             .depth0 = v0.window.depth,
             .depth1 = v1.window.depth,
             .depth2 = v2.window.depth,
@@ -123,11 +118,77 @@ set_up_piece(const DrawCall& call, const Piece& piece, std::int64_t doubled_area
             .varyings2 = piece.varyings[2],
             .varying_count = call.vertex.layout.count,
             .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
-        }};
+        })};
 }
 
-/// One covered pixel: interpolate, then shade and test in the order the settings ask for, then
-/// merge.
+/// A fragment's color, meaningful if it was written, and its fate.
+struct FragmentOutcome {
+    glm::vec4 color{0.0F};
+    fragment::FragmentFate fate = fragment::FragmentFate::written;
+};
+
+/// Interpolate, then shade and test in the order the settings ask for. `fragment` is placed;
+/// `depth` is its depth as the format stores it.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+FragmentOutcome shade_and_test(
+    const DrawCall& call,
+    const PieceSetup& piece,
+    raster::Fragment& fragment,
+    float depth,
+    const Target& target,
+    Trace& trace
+) {
+    FragmentOutcome outcome;
+    const auto shade = [&] {
+        const shading::ShadedFragment shaded =
+            shading::shade(call.vertex.shading, fragment.varyings);
+        trace.shaded(shaded);
+        outcome.color = shaded.color;
+    };
+    const bool late = call.settings.depth_order == scene::DepthOrder::late;
+
+    raster::interpolate_varyings(piece.interpolator, fragment);
+    trace.interpolated(fragment);
+    if (late) {
+        shade();
+    }
+    outcome.fate = test_fragment(call, fragment.pixel, depth, target, trace);
+    if (!late && outcome.fate == fragment::FragmentFate::written) {
+        shade();
+    }
+    return outcome;
+}
+
+/// The same for a sink that ignores values. Interpolating varyings and shading change nothing but
+/// the color, so they wait until a fragment has passed its tests, whenever the settings say that
+/// they happen.
+template <IgnoresValues Trace, framebuffer::PixelTarget Target>
+FragmentOutcome shade_and_test(
+    const DrawCall& call,
+    const PieceSetup& piece,
+    raster::Fragment& fragment,
+    float depth,
+    const Target& target,
+    Trace& trace
+) {
+    const bool late = call.settings.depth_order == scene::DepthOrder::late;
+    trace.interpolated(fragment);
+    if (late) {
+        trace.shaded({});
+    }
+    FragmentOutcome outcome;
+    outcome.fate = test_fragment(call, fragment.pixel, depth, target, trace);
+    if (outcome.fate == fragment::FragmentFate::written) {
+        if (!late) {
+            trace.shaded({});
+        }
+        raster::interpolate_varyings(piece.interpolator, fragment);
+        outcome.color = shading::shade(call.vertex.shading, fragment.varyings).color;
+    }
+    return outcome;
+}
+
+/// One covered pixel: a fragment is placed, colored, tested and merged.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 void draw_fragment(
     const DrawCall& call,
@@ -137,26 +198,13 @@ void draw_fragment(
     Target& target,
     Trace& trace
 ) {
-    const raster::Fragment fragment =
-        raster::interpolate(piece.interpolants, piece.edges, pixel, e);
-    trace.interpolated(fragment);
+    raster::Fragment fragment = raster::place_fragment(piece.interpolator, piece.edges, pixel, e);
     const float depth = framebuffer::store_depth(fragment.depth, call.settings.depth_format);
-
-    glm::vec4 color{0.0F};
-    fragment::FragmentFate fate = fragment::FragmentFate::written;
-    if (call.settings.depth_order == scene::DepthOrder::late) {
-        color = shade_fragment(call, fragment, trace);
-        fate = test_fragment(call, pixel, depth, target, trace);
-    } else {
-        fate = test_fragment(call, pixel, depth, target, trace);
-        if (fate == fragment::FragmentFate::written) {
-            color = shade_fragment(call, fragment, trace);
-        }
+    const FragmentOutcome outcome = shade_and_test(call, piece, fragment, depth, target, trace);
+    if (outcome.fate == fragment::FragmentFate::written) {
+        merge_fragment(call, pixel, outcome.color, depth, target, trace);
     }
-    if (fate == fragment::FragmentFate::written) {
-        merge_fragment(call, pixel, color, depth, target, trace);
-    }
-    trace.fragment_end(fate);
+    trace.fragment_end(outcome.fate);
 }
 
 /// Whether some vertex of a piece has this status.
@@ -168,7 +216,12 @@ void draw_fragment(
 /// Divide, viewport, cull, setup and traverse one piece.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 geometry::TriangleVerdict draw_piece(
-    const DrawCall& call, const Piece& piece, raster::UnitRange units, Target& target, Trace& trace
+    const DrawCall& call,
+    const Piece& piece,
+    raster::UnitRange units,
+    const PixelRect& band,
+    Target& target,
+    Trace& trace
 ) {
     using geometry::TriangleVerdict;
 
@@ -195,7 +248,8 @@ geometry::TriangleVerdict draw_piece(
     }
 
     // Set up edge functions and what will be interpolated
-    const PieceSetup setup = set_up_piece(call, piece, area);
+    const PixelRect region = intersect(call.settings.image(), band);
+    const PieceSetup setup = set_up_piece(call, piece, area, region);
     trace.set_up(setup.edges);
 
     // Traverse: ask pixels, draw a fragment for each one covered
@@ -203,7 +257,7 @@ geometry::TriangleVerdict draw_piece(
     raster::traverse(
         call.settings.traversal,
         setup.edges,
-        call.settings.image(),
+        region,
         units,
         trace,
         [&](PixelPos pixel, const raster::EdgeValues& e) {
@@ -256,7 +310,8 @@ geometry::TriangleVerdict draw_clipped(
             fan.window[k] = geometry::to_window(vertex.position, call.viewport);
         }
         trace.piece_begin(piece);
-        verdict = stronger(verdict, draw_piece(call, fan, scope.units(piece), target, trace));
+        verdict =
+            stronger(verdict, draw_piece(call, fan, scope.units(piece), scope.band, target, trace));
     }
     return verdict;
 }
@@ -305,7 +360,7 @@ geometry::TriangleVerdict draw_triangle(
                 }
             }
             trace.piece_begin(0);
-            verdict = draw_piece(call, whole, scope.units(0), target, trace);
+            verdict = draw_piece(call, whole, scope.units(0), scope.band, target, trace);
         }
     }
     trace.triangle_end(verdict, crossed);
@@ -331,11 +386,36 @@ void run_vertex_stage(DrawCall& call, Trace& trace, unsigned threads = 1) {
     }
 }
 
-/// A whole frame: every object's vertices, then every object's triangles, in file order.
+/// Every triangle of a frame on several threads, without a story: each thread draws its rows.
+template <framebuffer::PixelTarget Target>
+void draw_bands(const Frame& frame, Target& target, unsigned threads) {
+    const std::vector<PixelRect> bands = balanced_bands(frame, threads);
+    parallel_ranges(bands.size(), threads, 1, [&](std::size_t first, std::size_t last) {
+        NullTrace nothing;
+        for (std::size_t band = first; band < last; ++band) {
+            for (const DrawCall& call : frame.calls()) {
+                for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
+                    const scene::TriangleIndices& t = call.triangles()[i];
+                    const std::vector<ShadedVertex>& v = call.vertices;
+                    if (!misses(bands[band], v[t.a], v[t.b], v[t.c])) {
+                        draw_triangle(call, i, {.band = bands[band]}, target, nothing);
+                    }
+                }
+            }
+        }
+    });
+}
+
+/// A whole frame: every object's vertices, then every object's triangles, in file order. Threads
+/// share the vertices; where nobody listens, they share the rows, too.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
     for (DrawCall& call : frame.calls()) {
         run_vertex_stage(call, trace, threads);
+    }
+    if (std::is_same_v<Trace, NullTrace> && threads > 1) {
+        draw_bands(frame, target, threads);
+        return;
     }
     for (const DrawCall& call : frame.calls()) {
         for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {

@@ -77,8 +77,14 @@ concept TraceSink = requires(
     t.triangle_end(verdict, geometry::Outcode{});
 };
 
+/// A sink that keeps no values of what it is told, only that it happened: what only its numbers
+/// need may be left out.
+template <typename T>
+concept IgnoresValues = TraceSink<T> && T::ignores_values;
+
 /// The sink that compiles away.
 struct NullTrace {
+    static constexpr bool ignores_values = true;
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {}
@@ -90,6 +96,7 @@ struct NullTrace {
     void set_up(const raster::TriangleSetup&) {}
     void unit(int) {}
     void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
+    void edge_tests(int) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}

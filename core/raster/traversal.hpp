@@ -29,6 +29,12 @@ concept TraversalTrace = requires(T trace, int unit, PixelPos pixel, const EdgeV
     trace.edge_test(pixel, values, true);
 };
 
+/// A sink that only counts the pixels asked, not what was found there.
+template <typename T>
+concept CountingTrace = TraversalTrace<T> && requires(T trace, int pixels) {
+    trace.edge_tests(pixels); ///< so many pixels were asked
+};
+
 /// Visits every pixel of `region` row by row: the loop that brute force and bounding box share, so
 /// that they differ in nothing but the region. Unit k is row y0 + k. `emit(pixel, edge values)` is
 /// called for every covered pixel.
@@ -48,6 +54,40 @@ void visit_rows(
                 emit(pixel, values);
             }
         }
+    }
+}
+
+/// The same for a sink that only counts: the same fragments and the same number of questions, but
+/// exact integers are added instead of multiplied. A row of a triangle has pixels outside, then
+/// inside, then outside.
+template <CountingTrace Trace, typename Emit>
+void visit_rows(
+    const TriangleSetup& setup, const PixelRect& region, UnitRange units, Trace& trace, Emit&& emit
+) {
+    const std::int64_t step0 = setup.edges[0].a * subpixel_scale;
+    const std::int64_t step1 = setup.edges[1].a * subpixel_scale;
+    const std::int64_t step2 = setup.edges[2].a * subpixel_scale;
+    const int last = std::min(units.last, region.height());
+    for (int unit = units.first; unit < last; ++unit) {
+        trace.unit(unit);
+        PixelPos pixel{region.x0, region.y0 + unit};
+        EdgeValues e = setup.evaluate(pixel);
+        const auto next = [&] {
+            ++pixel.x;
+            e[0] += step0;
+            e[1] += step1;
+            e[2] += step2;
+        };
+        while (pixel.x < region.x1 && !setup.covers(e)) {
+            next();
+        }
+        const int first_inside = pixel.x;
+        trace.edge_tests(first_inside - region.x0);
+        for (; pixel.x < region.x1 && setup.covers(e); next()) {
+            trace.edge_tests(1);
+            emit(pixel, e);
+        }
+        trace.edge_tests(region.x1 - pixel.x);
     }
 }
 

@@ -25,8 +25,10 @@ struct TriangleSetup {
         return {edges[0](p), edges[1](p), edges[2](p)};
     }
     [[nodiscard]] bool covers(const EdgeValues& e) const {
-        return e[0] + top_left_bias[0] >= 0 && e[1] + top_left_bias[1] >= 0 &&
-               e[2] + top_left_bias[2] >= 0;
+        const std::int64_t e0 = e[0] + top_left_bias[0];
+        const std::int64_t e1 = e[1] + top_left_bias[1];
+        const std::int64_t e2 = e[2] + top_left_bias[2];
+        return (e0 | e1 | e2) >= 0; // the sign bit of any is the sign bit of all three together
     }
 };
 

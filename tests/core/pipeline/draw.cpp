@@ -239,7 +239,7 @@ TEST_CASE("a scope of units draws just those rows", "[pipeline]") {
     }
 }
 
-TEST_CASE("threads of the vertex stage change nothing", "[pipeline]") {
+TEST_CASE("threads change nothing, neither of vertices nor of rows", "[pipeline]") {
     tests::Soup soup;
     for (int i = 0; i < 5000; ++i) {
         const float x = static_cast<float>(i % 71) / 35.0F - 1.0F;
