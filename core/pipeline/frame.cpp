@@ -1,8 +1,11 @@
 #include "core/pipeline/frame.hpp"
 
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 namespace hs::pipeline {
@@ -26,6 +29,18 @@ math::VaryingLayout layout_for(const scene::Settings& settings, bool textured) {
     return layout;
 }
 
+/// The inverse transpose. A model squashed flat (scale 0), or as good as flat in a float, has none
+/// and loses its normals: ambient light only.
+glm::mat3 normal_matrix(const glm::mat3& object_to_eye) {
+    if (glm::determinant(object_to_eye) == 0.0F) {
+        return glm::mat3{0.0F};
+    }
+    const glm::mat3 result = glm::transpose(glm::inverse(object_to_eye));
+    const std::span<const float> entries(glm::value_ptr(result), 9);
+    const bool finite = std::ranges::all_of(entries, [](float x) { return std::isfinite(x); });
+    return finite ? result : glm::mat3{0.0F};
+}
+
 Transforms transforms_of(const scene::Scene& scene, const scene::Object& object) {
     const scene::Settings& settings = scene.settings;
     const PixelRect viewport = settings.viewport();
@@ -35,10 +50,7 @@ Transforms transforms_of(const scene::Scene& scene, const scene::Object& object)
     t.model = {scene::object_to_world(object)};
     t.view = scene::view_transform(scene.camera);
     t.projection = scene::projection_transform(scene.camera, aspect, settings.depth_convention);
-    // A model squashed flat (scale 0) has no inverse and no normals: ambient light only
-    const glm::mat3 to_eye{t.view.matrix * t.model.matrix};
-    t.normal =
-        glm::determinant(to_eye) == 0.0F ? glm::mat3{0.0F} : glm::transpose(glm::inverse(to_eye));
+    t.normal = normal_matrix(glm::mat3{t.view.matrix * t.model.matrix});
     return t;
 }
 

@@ -59,12 +59,12 @@ std::shared_ptr<const scene::Mesh> random_mesh(Random& random, bool clip_space) 
     const std::uint32_t vertices = 3 + random.below(8);
     for (std::uint32_t i = 0; i < vertices; ++i) {
         mesh->positions.push_back(random_position(random, clip_space));
-        mesh->colors.emplace_back(
+        // Braces: arguments in parentheses are drawn in the order the compiler likes
+        mesh->colors.push_back(glm::vec4{
             random.between(0.0F, 1.0F),
             random.between(0.0F, 1.0F),
             random.between(0.0F, 1.0F),
-            random.between(0.25F, 1.0F)
-        );
+            random.between(0.25F, 1.0F)});
     }
     const std::uint32_t triangles = random.below(9);
     mesh->polygon_start.push_back(0);

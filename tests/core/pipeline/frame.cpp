@@ -64,6 +64,7 @@ TEST_CASE("the aspect of the picture is the viewport's, not the image's", "[pipe
     scene->settings.width = 200;
     scene->settings.height = 100;
     scene->settings.viewport_choice = PixelRect{50, 0, 150, 100};
-    const glm::mat4& m = pipeline::Frame(scene).calls()[0].vertex.transforms.projection.matrix;
+    const pipeline::Frame frame(scene);
+    const glm::mat4& m = frame.calls()[0].vertex.transforms.projection.matrix;
     CHECK(m[0][0] == m[1][1]);
 }

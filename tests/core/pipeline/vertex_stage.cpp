@@ -50,6 +50,24 @@ TEST_CASE("normals stay perpendicular under a non-uniform scale", "[pipeline][ve
     CHECK(std::fabs(glm::dot(model_view * tangent, model_view * normal)) > 1.0F); // the wrong way
 }
 
+TEST_CASE("what is squashed flat has a color, but no light that asks for a normal", "[pipeline]") {
+    // 1e-13 cubed is a float above zero whose reciprocal is none
+    const glm::vec3 scale =
+        GENERATE(glm::vec3{0, 1, 1}, glm::vec3{1, 1, 0}, glm::vec3{0}, glm::vec3{1.0e-13F});
+    const auto scene = stretched();
+    scene->objects[0].transform[1].vector = scale;
+    scene->settings.shading = scene::Shading::gouraud;
+    scene::Light ambient;
+    ambient.kind = scene::LightKind::ambient;
+    ambient.color = {0.25F, 0.5F, 0.125F};
+    scene->lights = {ambient, {}};
+    const pipeline::Frame frame(scene);
+    for (std::uint32_t vertex = 0; vertex < 3; ++vertex) {
+        const pipeline::VertexWork work = pipeline::run_vertex(frame.calls()[0].vertex, vertex);
+        CHECK(work.varyings.color() == glm::vec4{ambient.color, 1.0F});
+    }
+}
+
 TEST_CASE("vertex colors are multiplied by the material's diffuse color", "[pipeline][vertex]") {
     const tests::Soup soup{
         {{0, 0, 0, 1}, {0.5F, 1.0F, 0.25F, 1.0F}}, {{1, 0, 0, 1}}, {{0, 1, 0, 1}}};
