@@ -2,6 +2,7 @@
 
 #include "core/explain/numbers.hpp"
 #include "core/explain/sentence.hpp"
+#include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
 
@@ -484,9 +485,15 @@ std::vector<Formula> formulas(
     }
     const trace::PieceDetail* piece = piece_of(detail, step);
     if (step.kind == StepKind::edge_test) {
-        return detail.visit && piece != nullptr && piece->setup
-                   ? edge_formulas(*piece->setup, *detail.visit)
-                   : std::vector<Formula>{};
+        if (!detail.visit || piece == nullptr || !piece->setup) {
+            return {};
+        }
+        std::vector<Formula> list =
+            running_edge_formulas(*piece->setup, *detail.visit, settings.traversal);
+        return list.empty() ? edge_formulas(*piece->setup, *detail.visit) : list;
+    }
+    if (detail.traversal && !step.has_pixel() && piece != nullptr && piece->setup) {
+        return traversal_formulas(*detail.traversal, step, *piece->setup);
     }
     if (step.in_fragment() && detail.fragment && piece != nullptr) {
         return only_of_step(

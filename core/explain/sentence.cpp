@@ -1,6 +1,7 @@
 #include "core/explain/sentence.hpp"
 
 #include "core/explain/numbers.hpp"
+#include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
 
@@ -285,6 +286,11 @@ std::string sentence(const trace::Player& player) {
     }
     if (step.kind == StepKind::edge_test) {
         return edge_sentence(triangle_name(recording, step), step, detail);
+    }
+    if (detail.traversal && !step.has_pixel()) {
+        const auto& piece = detail.triangle->pieces[static_cast<std::size_t>(step.piece)];
+        const std::string who = triangle_name(recording, step);
+        return traversal_sentence(who, step, *detail.traversal, *piece.setup);
     }
     if (step.in_fragment() && detail.fragment) {
         return fragment_sentence(fragment_name(recording, step), step, *detail.fragment);

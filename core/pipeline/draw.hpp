@@ -201,7 +201,7 @@ geometry::TriangleVerdict draw_piece(
     // Traverse: ask pixels, draw a fragment for each one covered
     bool any = false;
     raster::traverse(
-        call.settings.traversal,
+        {call.settings.traversal, call.settings.tile_size},
         setup.edges,
         call.settings.image(),
         units,

@@ -10,7 +10,7 @@
 #include "core/geometry/viewport.hpp"
 #include "core/pipeline/vertex_stage.hpp"
 #include "core/raster/interpolation.hpp"
-#include "core/raster/triangle_setup.hpp"
+#include "core/raster/traversal.hpp"
 #include "core/shading/shade.hpp"
 
 #include <array>
@@ -38,7 +38,7 @@ struct Merge {
 };
 
 template <typename T>
-concept TraceSink = requires(
+concept TraceSink = raster::TraversalTrace<T> && requires(
     T t,
     const T& ct,
     std::uint32_t id,
@@ -49,8 +49,6 @@ concept TraceSink = requires(
     std::int64_t area,
     geometry::TriangleVerdict verdict,
     const raster::TriangleSetup& setup,
-    PixelPos pixel,
-    const raster::EdgeValues& e,
     const raster::Fragment& fragment,
     const shading::ShadedFragment& shaded,
     const DepthTest& depth,
@@ -66,19 +64,18 @@ concept TraceSink = requires(
     t.mapped(window);       // *step*
     t.faced(area, verdict); // *step*
     t.set_up(setup);        // *step*
-    t.unit(number);
-    t.edge_test(pixel, e, true); // *step*
-    t.interpolated(fragment);    // *step*
-    t.shaded(shaded);            // *step*
-    t.scissor_tested(true);      // *step*, only with a scissor rectangle
-    t.depth_tested(depth);       // *step*, only with z-buffer visibility
-    t.merged(merge);             // *step*, only if every test passed
+    // Here the traversal speaks: raster::TraversalTrace
+    t.interpolated(fragment); // *step*
+    t.shaded(shaded);         // *step*
+    t.scissor_tested(true);   // *step*, only with a scissor rectangle
+    t.depth_tested(depth);    // *step*, only with z-buffer visibility
+    t.merged(merge);          // *step*, only if every test passed
     t.fragment_end(fate);
     t.triangle_end(verdict, geometry::Outcode{});
 };
 
 /// The sink that compiles away.
-struct NullTrace {
+struct NullTrace : raster::SilentTraversal {
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {}
@@ -88,8 +85,6 @@ struct NullTrace {
     void mapped(const std::array<geometry::WindowVertex, 3>&) {}
     void faced(std::int64_t, geometry::TriangleVerdict) {}
     void set_up(const raster::TriangleSetup&) {}
-    void unit(int) {}
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}

@@ -24,6 +24,21 @@ constexpr Named<TraversalKind> traversal_names[] = {
     {TraversalKind::bounding_box,
      "bounding-box",
      "only the pixels of the triangle's bounding box are tested against its three edges"},
+    {TraversalKind::incremental,
+     "incremental",
+     "the bounding box, each edge value reached from its neighbor's by one addition"},
+    {TraversalKind::serpentine,
+     "serpentine",
+     "the bounding box in a zig-zag, so that every pixel is next to the one before"},
+    {TraversalKind::hierarchical,
+     "hierarchical",
+     "tiles are rejected or accepted by their corners, others quartered and asked closer"},
+    {TraversalKind::edge_walk,
+     "edge-walk",
+     "down the left and the right edge at once, filling the span between them"},
+    {TraversalKind::edge_table,
+     "edge-table",
+     "edges in buckets, a table of active ones kept sorted from scanline to scanline"},
 };
 
 constexpr Named<CullFace> cull_names[] = {

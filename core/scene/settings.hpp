@@ -24,7 +24,12 @@ enum class Visibility : std::uint8_t {
 };
 enum class TraversalKind : std::uint8_t {
     brute_force,
-    bounding_box
+    bounding_box,
+    incremental,
+    serpentine,
+    hierarchical,
+    edge_walk,
+    edge_table
 };
 enum class CullFace : std::uint8_t {
     none,
@@ -83,6 +88,7 @@ struct Settings {
     glm::vec4 background{0.0F, 0.0F, 0.0F, 1.0F};
     Visibility visibility = Visibility::z_buffer;
     TraversalKind traversal = TraversalKind::bounding_box;
+    int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
     bool clip_enabled = true;
     std::vector<glm::vec4>
         clip_planes; ///< user planes in eye space, inside where ax + by + cz + d >= 0; at most 2

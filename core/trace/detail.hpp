@@ -56,6 +56,14 @@ struct VisitDetail {
     bool inside = false;
 };
 
+/// What a traversal knew at a step: the last it worked out before, or at, the step.
+struct TraversalDetail {
+    std::optional<raster::TileTest> tile;        ///< the smallest that holds the step
+    std::optional<raster::EdgeTable> edge_table; ///< of the whole piece
+    std::optional<raster::ActiveEdges> active;   ///< on the step's scanline
+    std::optional<raster::Span> span;            ///< likewise
+};
+
 /// A fragment's life. Parts it did not reach are empty.
 struct FragmentDetail {
     std::uint32_t index = no_fragment;    ///< into the fragment log
@@ -72,6 +80,7 @@ struct FragmentDetail {
 struct StepDetail {
     std::optional<VertexDetail> vertex;
     std::optional<TriangleDetail> triangle;
+    std::optional<TraversalDetail> traversal; ///< steps in a traversal
     std::optional<VisitDetail> visit;
     std::optional<FragmentDetail> fragment;
 };

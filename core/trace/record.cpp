@@ -95,7 +95,12 @@ public:
             add_index_entry(unit);
         }
     }
+    void cost(const raster::Cost& cost) { count_cost(counters_, cost); }
     void edge_test(PixelPos, const raster::EdgeValues&, bool) { step(StepKind::edge_test); }
+    void tile_tested(const raster::TileTest&) { step(StepKind::tile_test); }
+    void edges_bucketed(const raster::EdgeTable&) { step(StepKind::edge_table); }
+    void edges_activated(const raster::ActiveEdges&) { step(StepKind::active_edges); }
+    void span_found(const raster::Span&) { step(StepKind::span); }
 
     void interpolated(const raster::Fragment& fragment) {
         step(StepKind::interpolate);
