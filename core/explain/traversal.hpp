@@ -24,6 +24,19 @@ std::vector<Formula> traversal_formulas(
     const raster::TriangleSetup& setup
 );
 
+/// For plane_test.
+std::string plane_sentence(
+    const std::string& who,
+    const trace::Step& step,
+    const raster::HomogeneousSetup& setup,
+    const raster::PlaneTest& test
+);
+std::vector<Formula> plane_formulas(
+    const trace::Step& step, const raster::HomogeneousSetup& setup, const raster::PlaneTest& test
+);
+/// For the setup of homogeneous rasterization.
+std::vector<Formula> plane_setup_formulas(const raster::HomogeneousSetup& setup);
+
 /// How an incremental or serpentine traversal came by the edge values of a visited pixel: from
 /// which neighbor, by which additions. Empty for the first pixel, which is evaluated, and for other
 /// traversals.

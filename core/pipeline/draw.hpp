@@ -6,7 +6,9 @@
 #include "core/fragment/blend.hpp"
 #include "core/framebuffer/depth.hpp"
 #include "core/framebuffer/framebuffer.hpp"
+#include "core/pipeline/fault.hpp"
 #include "core/pipeline/frame.hpp"
+#include "core/pipeline/homogeneous.hpp"
 #include "core/pipeline/narration.hpp"
 #include "core/raster/traverse.hpp"
 
@@ -104,41 +106,39 @@ struct PieceSetup {
     raster::Interpolants interpolants;
 };
 
+[[nodiscard]] inline raster::Interpolants
+interpolants_of(const DrawCall& call, const Piece& piece) {
+    const auto& [v0, v1, v2] = piece.window;
+    return {
+        .depth0 = v0.window.depth,
+        .depth1 = v1.window.depth,
+        .depth2 = v2.window.depth,
+        .inv_w0 = v0.inv_w,
+        .inv_w1 = v1.inv_w,
+        .inv_w2 = v2.inv_w,
+        .varyings0 = piece.varyings[0],
+        .varyings1 = piece.varyings[1],
+        .varyings2 = piece.varyings[2],
+        .varying_count = call.vertex.layout.count,
+        .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
+    };
+}
+
 /// Set up: edge functions, and what will be interpolated.
 [[nodiscard]] inline PieceSetup
 set_up_piece(const DrawCall& call, const Piece& piece, std::int64_t doubled_area) {
     const auto& [v0, v1, v2] = piece.window;
     return {
-        .edges =
-            raster::set_up({v0.fixed, v1.fixed, v2.fixed}, doubled_area, call.settings.image()),
-        .interpolants = {
-            .depth0 = v0.window.depth,
-            .depth1 = v1.window.depth,
-            .depth2 = v2.window.depth,
-            .inv_w0 = v0.inv_w,
-            .inv_w1 = v1.inv_w,
-            .inv_w2 = v2.inv_w,
-            .varyings0 = piece.varyings[0],
-            .varyings1 = piece.varyings[1],
-            .varyings2 = piece.varyings[2],
-            .varying_count = call.vertex.layout.count,
-            .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
-        }};
+        .edges = set_up_edges(call, {v0.fixed, v1.fixed, v2.fixed}, doubled_area),
+        .interpolants = interpolants_of(call, piece)};
 }
 
-/// One covered pixel: interpolate, then shade and test in the order the settings ask for, then
-/// merge.
+/// One covered pixel, interpolated: shade and test in the order the settings ask for, then merge.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 void draw_fragment(
-    const DrawCall& call,
-    const PieceSetup& piece,
-    PixelPos pixel,
-    const raster::EdgeValues& e,
-    Target& target,
-    Trace& trace
+    const DrawCall& call, const raster::Fragment& fragment, Target& target, Trace& trace
 ) {
-    const raster::Fragment fragment =
-        raster::interpolate(piece.interpolants, piece.edges, pixel, e);
+    const PixelPos pixel = fragment.pixel;
     trace.interpolated(fragment);
     const float depth = framebuffer::store_depth(fragment.depth, call.settings.depth_format);
 
@@ -203,12 +203,17 @@ geometry::TriangleVerdict draw_piece(
     raster::traverse(
         {call.settings.traversal, call.settings.tile_size},
         setup.edges,
-        call.settings.image(),
+        call.drawable(),
         units,
         trace,
         [&](PixelPos pixel, const raster::EdgeValues& e) {
             any = true;
-            draw_fragment(call, setup, pixel, e, target, trace);
+            draw_fragment(
+                call,
+                raster::interpolate(setup.interpolants, setup.edges, pixel, e),
+                target,
+                trace
+            );
         }
     );
     return any ? TriangleVerdict::drawn : TriangleVerdict::no_sample_covered;
@@ -261,6 +266,38 @@ geometry::TriangleVerdict draw_clipped(
     return verdict;
 }
 
+/// Draws a triangle by the planes through the eye, as it is.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+geometry::TriangleVerdict draw_unclipped(
+    const DrawCall& call,
+    const scene::TriangleIndices& indices,
+    geometry::Outcode crossed,
+    const TriangleScope& scope,
+    Target& target,
+    Trace& trace
+) {
+    const geometry::ClipPolygon assembled = assemble(call, indices);
+    Piece whole;
+    HomogeneousTriangle triangle;
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto k = static_cast<unsigned>(corner);
+        whole.varyings[k] = assembled.vertices[k].varyings.values.data();
+        whole.window[k] = call.vertices[indices[corner]].window;
+        triangle.clip[k] = assembled.vertices[k].position;
+    }
+    triangle.window = whole.window;
+    trace.piece_begin(0);
+    return draw_homogeneous(
+        call,
+        triangle,
+        interpolants_of(call, whole),
+        call.settings.clip_enabled ? crossed : geometry::Outcode{},
+        scope.units(0),
+        trace,
+        [&](const raster::Fragment& fragment) { draw_fragment(call, fragment, target, trace); }
+    );
+}
+
 /// One triangle through every stage after the vertex stage.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 geometry::TriangleVerdict draw_triangle(
@@ -286,7 +323,10 @@ geometry::TriangleVerdict draw_triangle(
     geometry::TriangleVerdict verdict = geometry::TriangleVerdict::outside;
     const bool constant = call.settings.shading == scene::Shading::flat ||
                           call.settings.interpolation == scene::InterpolationKind::flat;
-    if (!call.settings.clip_enabled || all == 0) {
+    const bool visible = !call.settings.clip_enabled || all == 0;
+    if (visible && call.settings.traversal == scene::TraversalKind::homogeneous) {
+        verdict = draw_unclipped(call, indices, crossed, scope, target, trace);
+    } else if (visible) {
         const bool clip = call.settings.clip_enabled && any != 0;
         if (clip) {
             verdict = draw_clipped(call, assemble(call, indices), crossed, scope, target, trace);

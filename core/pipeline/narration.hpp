@@ -9,6 +9,7 @@
 #include "core/geometry/facing.hpp"
 #include "core/geometry/viewport.hpp"
 #include "core/pipeline/vertex_stage.hpp"
+#include "core/raster/homogeneous.hpp"
 #include "core/raster/interpolation.hpp"
 #include "core/raster/traversal.hpp"
 #include "core/shading/shade.hpp"
@@ -49,6 +50,7 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     std::int64_t area,
     geometry::TriangleVerdict verdict,
     const raster::TriangleSetup& setup,
+    const raster::HomogeneousSetup& planes,
     const raster::Fragment& fragment,
     const shading::ShadedFragment& shaded,
     const DepthTest& depth,
@@ -64,6 +66,8 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     t.mapped(window);       // *step*
     t.faced(area, verdict); // *step*
     t.set_up(setup);        // *step*
+    t.oriented(0.0, verdict); // *step*: homogeneous, across the eye, instead of the three above
+    t.planes_set_up(planes);  // *step*: homogeneous, instead of set_up
     // Here the traversal speaks: raster::TraversalTrace
     t.interpolated(fragment); // *step*
     t.shaded(shaded);         // *step*
@@ -85,6 +89,8 @@ struct NullTrace : raster::SilentTraversal {
     void mapped(const std::array<geometry::WindowVertex, 3>&) {}
     void faced(std::int64_t, geometry::TriangleVerdict) {}
     void set_up(const raster::TriangleSetup&) {}
+    void oriented(double, geometry::TriangleVerdict) {}
+    void planes_set_up(const raster::HomogeneousSetup&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}

@@ -9,6 +9,7 @@
 #include "core/raster/active_edges.hpp"
 #include "core/raster/cost.hpp"
 #include "core/raster/edge_function.hpp"
+#include "core/raster/plane_test.hpp"
 #include "core/raster/scan_edge.hpp"
 #include "core/raster/tile.hpp"
 #include "core/raster/triangle_setup.hpp"
@@ -38,7 +39,8 @@ concept TraversalTrace = requires(
     const TileTest& tile,
     const EdgeTable& table,
     const ActiveEdges& active,
-    const Span& span
+    const Span& span,
+    const PlaneTest& planes
 ) {
     trace.unit(unit);                     // a unit begins
     trace.cost(cost);                     // spent since it last said so, toward the next step
@@ -47,6 +49,7 @@ concept TraversalTrace = requires(
     trace.edges_bucketed(table);          // *step*: edge table, before its first unit
     trace.edges_activated(active);        // *step*: edge table, per scanline
     trace.span_found(span);               // *step*: edge walk and edge table, per scanline
+    trace.planes_tested(pixel, planes); // *step*: homogeneous, per pixel
 };
 
 /// A trace that hears nothing; others inherit what they do not listen to.
@@ -58,6 +61,7 @@ struct SilentTraversal {
     void edges_bucketed(const EdgeTable&) {}
     void edges_activated(const ActiveEdges&) {}
     void span_found(const Span&) {}
+    void planes_tested(PixelPos, const PlaneTest&) {}
 };
 static_assert(TraversalTrace<SilentTraversal>);
 

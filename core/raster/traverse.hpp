@@ -7,6 +7,7 @@
 #include "core/raster/edge_table.hpp"
 #include "core/raster/edge_walk.hpp"
 #include "core/raster/hierarchical.hpp"
+#include "core/raster/homogeneous.hpp"
 #include "core/raster/incremental.hpp"
 #include "core/raster/serpentine.hpp"
 
@@ -42,6 +43,8 @@ void traverse(
         return traverse_edge_walk(setup, image, units, trace, emit);
     case scene::TraversalKind::edge_table:
         return traverse_edge_table(setup, image, units, trace, emit);
+    case scene::TraversalKind::homogeneous:
+        return traverse_homogeneous(setup, image, units, trace, emit);
     }
     HS_CHECK(false, "every traversal is handled");
 }

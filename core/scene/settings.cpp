@@ -484,6 +484,9 @@ std::vector<Row> algorithm_rows() {
              "how values at the vertices spread over a triangle",
              "smooth, noperspective, flat"}
         ),
+        choice_row<&Settings::fault>(
+            {"fault", "a classic mistake, made on purpose: for bug hunts", ""}
+        ),
     };
 }
 

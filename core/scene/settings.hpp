@@ -29,7 +29,8 @@ enum class TraversalKind : std::uint8_t {
     serpentine,
     hierarchical,
     edge_walk,
-    edge_table
+    edge_table,
+    homogeneous
 };
 enum class CullFace : std::uint8_t {
     none,
@@ -80,6 +81,25 @@ enum class ColorFormat : std::uint8_t {
     rgba32f
 };
 
+/// A classic mistake, seeded on purpose.
+enum class Fault : std::uint8_t {
+    none,
+    ties_to_all,
+    ties_to_none,
+    ties_to_bottom_right,
+    half_up_rounding,
+    floor_snapping,
+    increment_before_test,
+    affine_interpolation,
+    no_divide,
+    viewport_without_parentheses,
+    near_plane_forgotten,
+    reversed_winding,
+    inverted_depth_test,
+    normals_like_points,
+    camera_not_inverted,
+};
+
 /// One frame's settings, or one object's after its overrides. Defaults are those of docs and scene
 /// files.
 struct Settings {
@@ -107,6 +127,7 @@ struct Settings {
     std::optional<PixelRect> scissor;         ///< empty: no scissor test
     bool blend_enabled =
         false; ///< source alpha over destination: src·a + dst·(1 − a); alpha: a + dst_a·(1 − a)
+    Fault fault = Fault::none;
 
     [[nodiscard]] CompareOp depth_test() const {
         const bool reversed = depth_convention == DepthConvention::reversed;
@@ -209,4 +230,6 @@ template <>
 std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
 template <>
 std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
+template <>
+std::span<const Named<scene::Fault>> names<scene::Fault>();
 } // namespace hs

@@ -33,6 +33,14 @@ public:
         triangle_.pieces.back().facing = facing;
     }
     void set_up(const raster::TriangleSetup& setup) { triangle_.pieces.back().setup = setup; }
+    void oriented(double determinant, geometry::TriangleVerdict facing) {
+        triangle_.pieces.back().determinant = determinant;
+        triangle_.pieces.back().facing = facing;
+    }
+    void planes_set_up(const raster::HomogeneousSetup& planes) {
+        triangle_.pieces.back().planes = planes;
+        triangle_.pieces.back().setup = planes.window;
+    }
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}
@@ -85,6 +93,12 @@ public:
         if (!reached_) {
             traversal_->span = span;
             reached_ = is_step(StepKind::span, {0, span.row});
+        }
+    }
+    void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
+        if (!reached_) {
+            traversal_->planes = test;
+            reached_ = is_step(StepKind::plane_test, pixel);
         }
     }
     void interpolated(const raster::Fragment& fragment) {
@@ -220,12 +234,13 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
         trace
     );
 
-    // Ask the pixel's edge test again
-    if (step.has_pixel()) {
-        const auto& setup = detail.triangle->pieces[static_cast<std::size_t>(step.piece)].setup;
-        HS_CHECK(setup.has_value(), "a visited pixel belongs to a piece that was set up");
-        const raster::EdgeValues edges = setup->evaluate(step.pixel);
-        detail.visit = VisitDetail{step.pixel, edges, setup->covers(edges)};
+    // Ask the pixel's edge test again; across the eye there is none
+    const auto& pieces = detail.triangle->pieces;
+    const auto piece = static_cast<std::size_t>(step.piece);
+    if (step.has_pixel() && pieces[piece].setup) {
+        const raster::EdgeValues edges = pieces[piece].setup->evaluate(step.pixel);
+        detail.visit =
+            VisitDetail{step.pixel, edges, pieces[piece].setup->covers(edges)};
     }
     return detail;
 }

@@ -180,7 +180,8 @@ bool matches(const Step& step, const PathParts& parts) {
         return false;
     }
     // A visit without operation is the edge test itself; a fragment is everything after it
-    if (parts.visit && !parts.operation && step.kind != StepKind::edge_test) {
+    const bool test = step.kind == StepKind::edge_test || step.kind == StepKind::plane_test;
+    if (parts.visit && !parts.operation && !test) {
         return false;
     }
     if (parts.fragment && (!step.in_fragment() || step.pixel != *parts.fragment)) {

@@ -49,7 +49,9 @@ public:
     void divided(const std::array<geometry::WindowVertex, 3>&) { add(StepKind::divide); }
     void mapped(const std::array<geometry::WindowVertex, 3>&) { add(StepKind::viewport); }
     void faced(std::int64_t, geometry::TriangleVerdict) { add(StepKind::facing); }
+    void oriented(double, geometry::TriangleVerdict) { add(StepKind::facing); }
     void set_up(const raster::TriangleSetup&) { add(StepKind::setup); }
+    void planes_set_up(const raster::HomogeneousSetup&) { add(StepKind::setup); }
     void unit(int unit) {
         if (!std::exchange(listening_, true)) {
             spent_ = {}; // a re-run that resumes inside a triangle begins with a unit
@@ -61,6 +63,11 @@ public:
         at_.pixel = pixel;
         at_.covered = inside;
         add(StepKind::edge_test);
+    }
+    void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
+        at_.pixel = pixel;
+        at_.covered = test.inside;
+        add(StepKind::plane_test);
     }
     void tile_tested(const raster::TileTest& tile) {
         at_.pixel = tile.origin;

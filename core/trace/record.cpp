@@ -86,7 +86,12 @@ public:
     void divided(const std::array<geometry::WindowVertex, 3>&) { step(StepKind::divide); }
     void mapped(const std::array<geometry::WindowVertex, 3>&) { step(StepKind::viewport); }
     void faced(std::int64_t, geometry::TriangleVerdict) { step(StepKind::facing); }
+    void oriented(double, geometry::TriangleVerdict) { step(StepKind::facing); }
     void set_up(const raster::TriangleSetup&) {
+        step(StepKind::setup);
+        run_open_ = false;
+    }
+    void planes_set_up(const raster::HomogeneousSetup&) {
         step(StepKind::setup);
         run_open_ = false;
     }
@@ -101,6 +106,7 @@ public:
     void edges_bucketed(const raster::EdgeTable&) { step(StepKind::edge_table); }
     void edges_activated(const raster::ActiveEdges&) { step(StepKind::active_edges); }
     void span_found(const raster::Span&) { step(StepKind::span); }
+    void planes_tested(PixelPos, const raster::PlaneTest&) { step(StepKind::plane_test); }
 
     void interpolated(const raster::Fragment& fragment) {
         step(StepKind::interpolate);

@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 22> table{{
+    static constexpr std::array<Named<StepKind>, 23> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -30,6 +30,9 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
          "the edges that cross the scanline are brought up to date"},
         {StepKind::span, "span", "the pixels between the left and the right edge are found"},
         {StepKind::edge_test, "edge test", "the pixel center is held against the three edges"},
+        {StepKind::plane_test,
+         "plane test",
+         "the pixel center is held against the planes through eye and edges"},
         {StepKind::interpolate, "interpolate", "depth and varyings are interpolated at the pixel"},
         {StepKind::shade, "shade", "the fragment gets its color"},
         {StepKind::scissor_test, "scissor test", "the pixel is held against the scissor rectangle"},
@@ -97,6 +100,7 @@ Stage stage_of(StepKind kind) {
     case StepKind::active_edges:
     case StepKind::span:
     case StepKind::edge_test:
+    case StepKind::plane_test:
     case StepKind::interpolate: return Stage::traverse;
     case StepKind::shade: return Stage::shade;
     case StepKind::scissor_test:
@@ -126,7 +130,7 @@ std::string step_path(const Step& step) {
     if (step.clipped && step.has_piece()) {
         path += fmt::format(" piece {}", step.piece);
     }
-    if (step.kind == StepKind::edge_test) {
+    if (step.kind == StepKind::edge_test || step.kind == StepKind::plane_test) {
         return path + fmt::format(" / pixel {},{}", step.pixel.x, step.pixel.y);
     }
     if (step.kind == StepKind::tile_test) {

@@ -33,6 +33,7 @@ enum class StepKind : std::uint8_t {
     active_edges,
     span,
     edge_test,
+    plane_test,
     interpolate,
     shade,
     scissor_test,
@@ -83,7 +84,7 @@ struct Step {
     geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
     PixelPos pixel{}; ///< edge test and later; of a tile its first pixel, of a scanline its row
     std::int32_t tile_size = 0; ///< tile_test: pixels a side
-    bool covered = false;       ///< edge test: the pixel is inside; fragment kinds: true
+    bool covered = false;       ///< edge and plane test: the pixel is inside; fragment kinds: true
     bool passed = true;         ///< tests: the verdict
     std::uint32_t fragment = 0; ///< interpolate and later: index into the fragment log
 

@@ -26,7 +26,8 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::active_edges:
     case StepKind::span: ++counters.scan_steps; break;
     case StepKind::tile_test:
-    case StepKind::edge_test: break; // tiles and pixels are part of the cost
+    case StepKind::edge_test:
+    case StepKind::plane_test: break; // tiles and pixels are part of the cost
     case StepKind::interpolate: ++counters.fragments; break;
     case StepKind::shade: ++counters.fragments_shaded; break;
     case StepKind::scissor_test:

@@ -61,6 +61,7 @@ constexpr Table tables[] = {
     {"scene::DepthConvention", check_table<scene::DepthConvention>},
     {"scene::DepthFormat", check_table<scene::DepthFormat>},
     {"scene::DepthOrder", check_table<scene::DepthOrder>},
+    {"scene::Fault", check_table<scene::Fault>},
     {"scene::Forward", check_table<scene::Forward>},
     {"scene::InterpolationKind", check_table<scene::InterpolationKind>},
     {"scene::LightKind", check_table<scene::LightKind>},

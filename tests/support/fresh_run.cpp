@@ -48,11 +48,20 @@ public:
         add(StepKind::setup);
     }
     void unit(int) {}
+    void oriented(double, geometry::TriangleVerdict) {
+        ++counters_.pieces_faced;
+        add(StepKind::facing);
+    }
+    void planes_set_up(const raster::HomogeneousSetup&) {
+        ++counters_.pieces_set_up;
+        add(StepKind::setup);
+    }
     void cost(const raster::Cost& cost) { counters_.traversal += cost; }
     void edge_test(PixelPos, const raster::EdgeValues&, bool) { add(StepKind::edge_test); }
     void tile_tested(const raster::TileTest&) { add(StepKind::tile_test); }
     void edges_bucketed(const raster::EdgeTable&) { scan(StepKind::edge_table); }
     void edges_activated(const raster::ActiveEdges&) { scan(StepKind::active_edges); }
+    void planes_tested(PixelPos, const raster::PlaneTest&) { add(StepKind::plane_test); }
     void span_found(const raster::Span&) { scan(StepKind::span); }
     void interpolated(const raster::Fragment&) {
         ++counters_.fragments;
