@@ -44,6 +44,10 @@ Result<Value> counted(const Recording& recording, const Subject& subject) {
     return count(recording, subject, [](const Counters& counters) { return counters.*member; });
 }
 
+Result<Value> visits(const Recording& recording, const Subject& subject) {
+    return count(recording, subject, [](const Counters& c) { return c.traversal.pixels; });
+}
+
 template <fragment::FragmentFate fate>
 Result<Value> fated(const Recording& recording, const Subject& subject) {
     return count(recording, subject, [](const Counters& counters) {
@@ -99,7 +103,7 @@ std::span<const Quantity> frame_quantities() {
         {"image height", frame, "pixels from top to bottom", image_height},
         {"vertices", frame, "vertices that went through the vertex stage", vertices},
         {"triangles", frame, "triangles that entered clipping", counted<&Counters::triangles>},
-        {"visits", frame, "pixels held against the edges", counted<&Counters::pixels_visited>},
+        {"visits", frame, "pixels the traversal visits", visits},
         {"fragments", frame, "pixels found covered", counted<&Counters::fragments>},
         {"fragments written", frame, "fragments that changed their pixel", fated<written>},
         {"fragments failed", frame, "fragments that failed the depth test", fated<depth_failed>},

@@ -50,7 +50,7 @@ Flow flow_of(trace::Stage stage, const trace::Counters& c, const trace::Recordin
         return {c.pieces, c.pieces_mapped, "triangles", "triangles in the window"};
     case Stage::cull: return {c.pieces_faced, c.pieces_set_up, "triangles", "triangles kept"};
     case Stage::setup: return {c.pieces_set_up, c.pieces_set_up, "triangles", "triangles set up"};
-    case Stage::traverse: return {c.pixels_visited, c.fragments, "pixels asked", "fragments"};
+    case Stage::traverse: return {c.traversal.pixels, c.fragments, "pixels visited", "fragments"};
     case Stage::shade: return {c.fragments, c.fragments_shaded, "fragments", "fragments shaded"};
     case Stage::test:
         return {c.fragments_tested, c.fates[0], "fragments tested", "fragments passed"};

@@ -2,6 +2,7 @@
 
 #include "core/explain/numbers.hpp"
 #include "core/explain/sentence.hpp"
+#include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
 
@@ -345,8 +346,10 @@ std::vector<Formula> triangle_step_formulas(
             list.push_back(snap_formula(k, v));
         }
     }
-    if (step.kind == StepKind::facing) {
+    if (step.kind == StepKind::facing && !piece.determinant) {
         list.push_back(facing_formula(piece));
+    } else if (step.kind == StepKind::setup && piece.planes) {
+        list = plane_setup_formulas(*piece.planes);
     } else if (step.kind == StepKind::setup && piece.setup) {
         list = setup_formulas(*piece.setup);
     }
@@ -453,9 +456,9 @@ std::vector<Formula> fragment_formulas(
     std::vector<Formula> list;
     if (piece.setup) {
         list.push_back(weights_formula(fragment, *piece.setup));
+        list.push_back(depth_formula(fragment, piece));
     }
-    list.push_back(depth_formula(fragment, piece));
-    if (settings.interpolation == scene::InterpolationKind::perspective) {
+    if (piece.setup && settings.interpolation == scene::InterpolationKind::perspective) {
         list.push_back(perspective_formula(fragment, piece));
     }
     if (fragment.shaded && fragment.shaded->terms) {
@@ -484,9 +487,18 @@ std::vector<Formula> formulas(
     }
     const trace::PieceDetail* piece = piece_of(detail, step);
     if (step.kind == StepKind::edge_test) {
-        return detail.visit && piece != nullptr && piece->setup
-                   ? edge_formulas(*piece->setup, *detail.visit)
-                   : std::vector<Formula>{};
+        if (!detail.visit || piece == nullptr || !piece->setup) {
+            return {};
+        }
+        std::vector<Formula> list =
+            running_edge_formulas(*piece->setup, *detail.visit, settings.traversal);
+        return list.empty() ? edge_formulas(*piece->setup, *detail.visit) : list;
+    }
+    if (step.kind == StepKind::plane_test && piece != nullptr) {
+        return plane_formulas(step, *piece->planes, *detail.traversal->planes);
+    }
+    if (detail.traversal && !step.has_pixel() && piece != nullptr && piece->setup) {
+        return traversal_formulas(*detail.traversal, step, *piece->setup);
     }
     if (step.in_fragment() && detail.fragment && piece != nullptr) {
         return only_of_step(

@@ -1,6 +1,7 @@
 #include "core/explain/sentence.hpp"
 
 #include "core/explain/numbers.hpp"
+#include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
 
@@ -80,8 +81,27 @@ clip_sentence(const std::string& who, const Step& step, const trace::TriangleDet
     return fmt::format("Plane {} cuts {}.", name_of(step.plane), who);
 }
 
+/// Where a vertex has no place in the window, there is no area either.
+std::string determinant_sentence(const std::string& who, const trace::PieceDetail& piece) {
+    const std::string value = fmt::format(
+        "the determinant of its vertices is {}", number(static_cast<float>(*piece.determinant))
+    );
+    if (piece.facing != geometry::TriangleVerdict::drawn) {
+        return fmt::format("The {} is {}: {}.", who, name_of(piece.facing), value);
+    }
+    return fmt::format(
+        "The {} reaches behind the eye; it is seen {} and stays: {}.",
+        who,
+        *piece.determinant < 0.0 ? "counterclockwise" : "clockwise",
+        value
+    );
+}
+
 std::string
 facing_sentence(const std::string& who, const trace::PieceDetail& piece, scene::Winding front) {
+    if (piece.determinant) {
+        return determinant_sentence(who, piece);
+    }
     const std::int64_t area = piece.signed_doubled_area;
     const std::string value =
         fmt::format("twice its signed area is {} in 1/65536 px²", whole(area));
@@ -221,6 +241,9 @@ std::string piece_sentence(
     if (step.kind == StepKind::facing) {
         return facing_sentence(who, piece, front);
     }
+    if (piece.planes && !piece.setup) {
+        return fmt::format("Three planes through the eye and the edges of {} are ready.", who);
+    }
     return piece.setup ? setup_sentence(who, *piece.setup) : fmt::format("Setting up {}.", who);
 }
 
@@ -285,6 +308,14 @@ std::string sentence(const trace::Player& player) {
     }
     if (step.kind == StepKind::edge_test) {
         return edge_sentence(triangle_name(recording, step), step, detail);
+    }
+    if (detail.traversal && !step.in_fragment()) {
+        const auto& piece = detail.triangle->pieces[static_cast<std::size_t>(step.piece)];
+        const std::string who = triangle_name(recording, step);
+        if (step.kind == StepKind::plane_test) {
+            return plane_sentence(who, step, *piece.planes, *detail.traversal->planes);
+        }
+        return traversal_sentence(who, step, *detail.traversal, *piece.setup);
     }
     if (step.in_fragment() && detail.fragment) {
         return fragment_sentence(fragment_name(recording, step), step, *detail.fragment);

@@ -106,7 +106,12 @@ Table counter_table(const trace::Counters& counters) {
     add("pieces_mapped", counters.pieces_mapped);
     add("pieces_faced", counters.pieces_faced);
     add("pieces_set_up", counters.pieces_set_up);
-    add("pixels_visited", counters.pixels_visited);
+    add("pixels_visited", counters.traversal.pixels);
+    add("tiles_visited", counters.traversal.tiles);
+    add("edge_evaluations", counters.traversal.evaluations);
+    add("multiplications", counters.traversal.multiplications());
+    add("additions", counters.traversal.additions());
+    add("divisions", counters.traversal.divisions);
     add("fragments", counters.fragments);
     add("fragments_shaded", counters.fragments_shaded);
     add("fragments_tested", counters.fragments_tested);

@@ -17,6 +17,14 @@
 
 namespace hs::geometry {
 
+/// How a window coordinate becomes a multiple of 1/256 pixel. Only the first is right; the others
+/// are there to be seen.
+enum class Snapping : std::uint8_t {
+    half_even,
+    half_up,
+    floor
+};
+
 /// Where NDC lands: x right, y down, in pixels; and how z becomes depth.
 struct Viewport {
     float half_width = 0.0F;  ///< W / 2
@@ -25,6 +33,8 @@ struct Viewport {
     float center_y = 0.0F;
     float depth_scale = 0.5F; ///< depth = z_ndc · scale + offset: ½, ½ in OpenGL, 1, 0 elsewhere
     float depth_offset = 0.5F;
+    Snapping snapping = Snapping::half_even;
+    bool divides = true; ///< by w; false only as a fault
 };
 
 [[nodiscard]] inline Viewport
@@ -69,10 +79,20 @@ template <typename T>
     return std::fma(ndc, half_extent, center);
 }
 
+/// Precondition: |coordinate| < snap_limit.
+[[nodiscard]] inline std::int32_t snap_by(Snapping snapping, float coordinate) {
+    if (snapping == Snapping::half_even) {
+        return snap(coordinate);
+    }
+    const float fixed = (coordinate - 0.5F) * static_cast<float>(subpixel_scale);
+    return static_cast<std::int32_t>(std::floor(snapping == Snapping::floor ? fixed : fixed + 0.5F)
+    );
+}
+
 [[nodiscard]] inline WindowVertex
 to_window(const math::ClipPosition& clip, const Viewport& viewport) {
     WindowVertex v;
-    v.inv_w = math::reciprocal(clip.w);
+    v.inv_w = viewport.divides ? math::reciprocal(clip.w) : 1.0F;
     if (!std::isfinite(v.inv_w)) {
         return v;
     }
@@ -92,7 +112,7 @@ to_window(const math::ClipPosition& clip, const Viewport& viewport) {
         v.status = WindowStatus::too_far; // also where x, y or z overflowed to infinity or NaN
         return v;
     }
-    v.fixed = {snap(v.window.x), snap(v.window.y)};
+    v.fixed = {snap_by(viewport.snapping, v.window.x), snap_by(viewport.snapping, v.window.y)};
     v.status = WindowStatus::placed;
     return v;
 }

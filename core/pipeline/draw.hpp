@@ -6,7 +6,9 @@
 #include "core/fragment/blend.hpp"
 #include "core/framebuffer/depth.hpp"
 #include "core/framebuffer/framebuffer.hpp"
+#include "core/pipeline/fault.hpp"
 #include "core/pipeline/frame.hpp"
+#include "core/pipeline/homogeneous.hpp"
 #include "core/pipeline/narration.hpp"
 #include "core/pipeline/row_bands.hpp"
 #include "core/raster/traverse.hpp"
@@ -99,26 +101,33 @@ struct PieceSetup {
     raster::Interpolator interpolator;
 };
 
+/// What is interpolated over a piece.
+[[nodiscard]] inline raster::Interpolants
+interpolants_of(const DrawCall& call, const Piece& piece) {
+    const auto& [v0, v1, v2] = piece.window;
+    return {
+        .depth0 = v0.window.depth,
+        .depth1 = v1.window.depth,
+        .depth2 = v2.window.depth,
+        .inv_w0 = v0.inv_w,
+        .inv_w1 = v1.inv_w,
+        .inv_w2 = v2.inv_w,
+        .varyings0 = piece.varyings[0],
+        .varyings1 = piece.varyings[1],
+        .varyings2 = piece.varyings[2],
+        .varying_count = call.vertex.layout.count,
+        .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
+    };
+}
+
 /// Set up: edge functions, and what will be interpolated.
 [[nodiscard]] inline PieceSetup set_up_piece(
     const DrawCall& call, const Piece& piece, std::int64_t doubled_area, const PixelRect& region
 ) {
     const auto& [v0, v1, v2] = piece.window;
     return {
-        .edges = raster::set_up({v0.fixed, v1.fixed, v2.fixed}, doubled_area, region),
-        .interpolator = raster::Interpolator({
-            .depth0 = v0.window.depth,
-            .depth1 = v1.window.depth,
-            .depth2 = v2.window.depth,
-            .inv_w0 = v0.inv_w,
-            .inv_w1 = v1.inv_w,
-            .inv_w2 = v2.inv_w,
-            .varyings0 = piece.varyings[0],
-            .varyings1 = piece.varyings[1],
-            .varyings2 = piece.varyings[2],
-            .varying_count = call.vertex.layout.count,
-            .perspective = call.settings.interpolation == scene::InterpolationKind::perspective,
-        })};
+        .edges = set_up_edges(call, {v0.fixed, v1.fixed, v2.fixed}, doubled_area, region),
+        .interpolator = raster::Interpolator(interpolants_of(call, piece))};
 }
 
 /// A fragment's color, meaningful if it was written, and its fate.
@@ -127,13 +136,13 @@ struct FragmentOutcome {
     fragment::FragmentFate fate = fragment::FragmentFate::written;
 };
 
-/// Interpolate, then shade and test in the order the settings ask for. `fragment` is placed;
-/// `depth` is its depth as the format stores it.
-template <TraceSink Trace, framebuffer::PixelTarget Target>
+/// Interpolate, then shade and test in the order the settings ask for. `fragment` is placed,
+/// `interpolate(fragment)` gives it its varyings; `depth` is its depth as the format stores it.
+template <TraceSink Trace, framebuffer::PixelTarget Target, typename Interpolate>
 FragmentOutcome shade_and_test(
     const DrawCall& call,
-    const PieceSetup& piece,
     raster::Fragment& fragment,
+    const Interpolate& interpolate,
     float depth,
     const Target& target,
     Trace& trace
@@ -147,7 +156,7 @@ FragmentOutcome shade_and_test(
     };
     const bool late = call.settings.depth_order == scene::DepthOrder::late;
 
-    raster::interpolate_varyings(piece.interpolator, fragment);
+    interpolate(fragment);
     trace.interpolated(fragment);
     if (late) {
         shade();
@@ -162,11 +171,11 @@ FragmentOutcome shade_and_test(
 /// The same for a sink that ignores values. Interpolating varyings and shading change nothing but
 /// the color, so they wait until a fragment has passed its tests, whenever the settings say that
 /// they happen.
-template <IgnoresValues Trace, framebuffer::PixelTarget Target>
+template <IgnoresValues Trace, framebuffer::PixelTarget Target, typename Interpolate>
 FragmentOutcome shade_and_test(
     const DrawCall& call,
-    const PieceSetup& piece,
     raster::Fragment& fragment,
+    const Interpolate& interpolate,
     float depth,
     const Target& target,
     Trace& trace
@@ -182,27 +191,26 @@ FragmentOutcome shade_and_test(
         if (!late) {
             trace.shaded({});
         }
-        raster::interpolate_varyings(piece.interpolator, fragment);
+        interpolate(fragment);
         outcome.color = shading::shade(call.vertex.shading, fragment.varyings).color;
     }
     return outcome;
 }
 
-/// One covered pixel: a fragment is placed, colored, tested and merged.
-template <TraceSink Trace, framebuffer::PixelTarget Target>
+/// One covered pixel: its fragment, placed already, is colored, tested and merged.
+template <TraceSink Trace, framebuffer::PixelTarget Target, typename Interpolate>
 void draw_fragment(
     const DrawCall& call,
-    const PieceSetup& piece,
-    PixelPos pixel,
-    const raster::EdgeValues& e,
+    raster::Fragment fragment,
+    const Interpolate& interpolate,
     Target& target,
     Trace& trace
 ) {
-    raster::Fragment fragment = raster::place_fragment(piece.interpolator, piece.edges, pixel, e);
     const float depth = framebuffer::store_depth(fragment.depth, call.settings.depth_format);
-    const FragmentOutcome outcome = shade_and_test(call, piece, fragment, depth, target, trace);
+    const FragmentOutcome outcome =
+        shade_and_test(call, fragment, interpolate, depth, target, trace);
     if (outcome.fate == fragment::FragmentFate::written) {
-        merge_fragment(call, pixel, outcome.color, depth, target, trace);
+        merge_fragment(call, fragment.pixel, outcome.color, depth, target, trace);
     }
     trace.fragment_end(outcome.fate);
 }
@@ -248,21 +256,26 @@ geometry::TriangleVerdict draw_piece(
     }
 
     // Set up edge functions and what will be interpolated
-    const PixelRect region = intersect(call.settings.image(), band);
+    const PixelRect region = intersect(call.drawable(), band);
     const PieceSetup setup = set_up_piece(call, piece, area, region);
     trace.set_up(setup.edges);
 
     // Traverse: ask pixels, draw a fragment for each one covered
     bool any = false;
+    const auto interpolate = [&setup](raster::Fragment& fragment) {
+        raster::interpolate_varyings(setup.interpolator, fragment);
+    };
     raster::traverse(
-        call.settings.traversal,
+        {call.settings.traversal, call.settings.tile_size},
         setup.edges,
         region,
         units,
         trace,
         [&](PixelPos pixel, const raster::EdgeValues& e) {
             any = true;
-            draw_fragment(call, setup, pixel, e, target, trace);
+            const raster::Fragment placed =
+                raster::place_fragment(setup.interpolator, setup.edges, pixel, e);
+            draw_fragment(call, placed, interpolate, target, trace);
         }
     );
     return any ? TriangleVerdict::drawn : TriangleVerdict::no_sample_covered;
@@ -316,6 +329,43 @@ geometry::TriangleVerdict draw_clipped(
     return verdict;
 }
 
+/// Draws a triangle by the planes through the eye, as it is.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+geometry::TriangleVerdict draw_unclipped(
+    const DrawCall& call,
+    const scene::TriangleIndices& indices,
+    geometry::Outcode crossed,
+    const TriangleScope& scope,
+    Target& target,
+    Trace& trace
+) {
+    const geometry::ClipPolygon assembled = assemble(call, indices);
+    Piece whole;
+    HomogeneousTriangle triangle;
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto k = static_cast<unsigned>(corner);
+        whole.varyings[k] = assembled.vertices[k].varyings.values.data();
+        whole.window[k] = call.vertices[indices[corner]].window;
+        triangle.clip[k] = assembled.vertices[k].position;
+    }
+    triangle.window = whole.window;
+    trace.piece_begin(0);
+    return draw_homogeneous(
+        call,
+        triangle,
+        interpolants_of(call, whole),
+        call.settings.clip_enabled ? crossed : geometry::Outcode{},
+        scope.units(0),
+        intersect(call.drawable(), scope.band),
+        trace,
+        [&](const raster::Fragment& complete) {
+            draw_fragment(
+                call, complete, [](raster::Fragment&) {}, target, trace
+            );
+        }
+    );
+}
+
 /// One triangle through every stage after the vertex stage.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 geometry::TriangleVerdict draw_triangle(
@@ -341,7 +391,10 @@ geometry::TriangleVerdict draw_triangle(
     geometry::TriangleVerdict verdict = geometry::TriangleVerdict::outside;
     const bool constant = call.settings.shading == scene::Shading::flat ||
                           call.settings.interpolation == scene::InterpolationKind::flat;
-    if (!call.settings.clip_enabled || all == 0) {
+    const bool visible = !call.settings.clip_enabled || all == 0;
+    if (visible && call.settings.traversal == scene::TraversalKind::homogeneous) {
+        verdict = draw_unclipped(call, indices, crossed, scope, target, trace);
+    } else if (visible) {
         const bool clip = call.settings.clip_enabled && any != 0;
         if (clip) {
             verdict = draw_clipped(call, assemble(call, indices), crossed, scope, target, trace);

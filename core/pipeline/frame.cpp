@@ -1,5 +1,7 @@
 #include "core/pipeline/frame.hpp"
 
+#include "core/pipeline/fault.hpp"
+
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -111,6 +113,7 @@ Frame::Frame(std::shared_ptr<const scene::Scene> scene)
             geometry::clip_volume(call.settings, call.vertex.transforms.projection.matrix);
         call.viewport =
             geometry::make_viewport(call.settings.viewport(), call.settings.depth_convention);
+        seed_fault(call);
         calls_.push_back(std::move(call));
     }
 }

@@ -35,6 +35,11 @@ struct DrawCall {
     /// A vertex as clipping takes it.
     [[nodiscard]] geometry::ClipVertex clip_vertex(std::size_t index) const;
 
+    /// The pixels it may reach: the image, within the viewport where the view volume clips.
+    [[nodiscard]] PixelRect drawable() const {
+        return settings.clip_enabled ? intersect(settings.image(), settings.viewport())
+                                     : settings.image();
+    }
     [[nodiscard]] const std::vector<scene::TriangleIndices>& triangles() const {
         return vertex.mesh->triangles;
     }

@@ -9,8 +9,9 @@
 #include "core/geometry/facing.hpp"
 #include "core/geometry/viewport.hpp"
 #include "core/pipeline/vertex_stage.hpp"
+#include "core/raster/homogeneous.hpp"
 #include "core/raster/interpolation.hpp"
-#include "core/raster/triangle_setup.hpp"
+#include "core/raster/traversal.hpp"
 #include "core/shading/shade.hpp"
 
 #include <array>
@@ -38,7 +39,7 @@ struct Merge {
 };
 
 template <typename T>
-concept TraceSink = requires(
+concept TraceSink = raster::TraversalTrace<T> && requires(
     T t,
     const T& ct,
     std::uint32_t id,
@@ -49,8 +50,7 @@ concept TraceSink = requires(
     std::int64_t area,
     geometry::TriangleVerdict verdict,
     const raster::TriangleSetup& setup,
-    PixelPos pixel,
-    const raster::EdgeValues& e,
+    const raster::HomogeneousSetup& planes,
     const raster::Fragment& fragment,
     const shading::ShadedFragment& shaded,
     const DepthTest& depth,
@@ -62,17 +62,18 @@ concept TraceSink = requires(
     t.outcodes(codes);                                      // *step*
     t.clipped(geometry::ClipPlane::near, polygon, polygon); // *step*, per plane that clips
     t.piece_begin(number);
-    t.divided(window);      // *step*
-    t.mapped(window);       // *step*
-    t.faced(area, verdict); // *step*
-    t.set_up(setup);        // *step*
-    t.unit(number);
-    t.edge_test(pixel, e, true); // *step*
-    t.interpolated(fragment);    // *step*
-    t.shaded(shaded);            // *step*
-    t.scissor_tested(true);      // *step*, only with a scissor rectangle
-    t.depth_tested(depth);       // *step*, only with z-buffer visibility
-    t.merged(merge);             // *step*, only if every test passed
+    t.divided(window);        // *step*
+    t.mapped(window);         // *step*
+    t.faced(area, verdict);   // *step*
+    t.set_up(setup);          // *step*
+    t.oriented(0.0, verdict); // *step*: homogeneous, across the eye, instead of the three above
+    t.planes_set_up(planes);  // *step*: homogeneous, instead of set_up
+    // Here the traversal speaks: raster::TraversalTrace
+    t.interpolated(fragment); // *step*
+    t.shaded(shaded);         // *step*
+    t.scissor_tested(true);   // *step*, only with a scissor rectangle
+    t.depth_tested(depth);    // *step*, only with z-buffer visibility
+    t.merged(merge);          // *step*, only if every test passed
     t.fragment_end(fate);
     t.triangle_end(verdict, geometry::Outcode{});
 };
@@ -83,8 +84,10 @@ template <typename T>
 concept IgnoresValues = TraceSink<T> && T::ignores_values;
 
 /// The sink that compiles away.
-struct NullTrace {
+struct NullTrace : raster::SilentTraversal {
     static constexpr bool ignores_values = true;
+    static constexpr bool ignores_traversal = true;
+
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {}
@@ -94,9 +97,9 @@ struct NullTrace {
     void mapped(const std::array<geometry::WindowVertex, 3>&) {}
     void faced(std::int64_t, geometry::TriangleVerdict) {}
     void set_up(const raster::TriangleSetup&) {}
-    void unit(int) {}
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
     void edge_tests(int) {}
+    void oriented(double, geometry::TriangleVerdict) {}
+    void planes_set_up(const raster::HomogeneousSetup&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}

@@ -7,12 +7,6 @@
 namespace hs::raster {
 namespace {
 
-/// The first pixel whose center is not left of (above) a snapped coordinate. Arithmetic shift
-/// rounds toward −infinity.
-int first_center_at_or_after(std::int32_t fixed) {
-    return static_cast<int>((std::int64_t{fixed} + (subpixel_scale - 1)) >> subpixel_bits);
-}
-
 /// One past the last pixel whose center is not right of (below) a snapped coordinate.
 int end_of_centers_up_to(std::int32_t fixed) {
     return static_cast<int>((std::int64_t{fixed} >> subpixel_bits) + 1);
@@ -38,6 +32,7 @@ TriangleSetup set_up(
 ) {
     HS_DCHECK(signed_doubled_area != 0, "a degenerate triangle has no setup");
     TriangleSetup setup;
+    setup.vertices = vertices;
     const bool negate = signed_doubled_area < 0;
 
     // Coefficients of the three edge functions, positive inside whatever the winding

@@ -10,7 +10,14 @@
 
 namespace hs::raster {
 
+/// The first pixel whose center is not left of (above) a snapped coordinate. Arithmetic shift
+/// rounds toward −infinity.
+[[nodiscard]] inline int first_center_at_or_after(std::int32_t fixed) {
+    return static_cast<int>((std::int64_t{fixed} + (subpixel_scale - 1)) >> subpixel_bits);
+}
+
 struct TriangleSetup {
+    std::array<FixedPosition, 3> vertices{};
     std::array<EdgeFunction, 3>
         edges{}; ///< E01, E12, E20: edge k runs from vertex k to vertex k + 1
     /// 0 for an edge that owns its ties, −1 for one that does not: a pixel is covered iff E + bias

@@ -24,6 +24,24 @@ constexpr Named<TraversalKind> traversal_names[] = {
     {TraversalKind::bounding_box,
      "bounding-box",
      "only the pixels of the triangle's bounding box are tested against its three edges"},
+    {TraversalKind::incremental,
+     "incremental",
+     "the bounding box, each edge value reached from its neighbor's by one addition"},
+    {TraversalKind::serpentine,
+     "serpentine",
+     "the bounding box in a zig-zag, so that every pixel is next to the one before"},
+    {TraversalKind::hierarchical,
+     "hierarchical",
+     "tiles are rejected or accepted by their corners, others quartered and asked closer"},
+    {TraversalKind::edge_walk,
+     "edge-walk",
+     "down the left and the right edge at once, filling the span between them"},
+    {TraversalKind::edge_table,
+     "edge-table",
+     "edges in buckets, a table of active ones kept sorted from scanline to scanline"},
+    {TraversalKind::homogeneous,
+     "homogeneous",
+     "pixels are held against the planes through eye and edges; nothing is clipped"},
 };
 
 constexpr Named<CullFace> cull_names[] = {
@@ -112,6 +130,44 @@ constexpr Named<ColorFormat> color_format_names[] = {
     {ColorFormat::rgba32f, "rgba32f", "a 32-bit float per channel: neither clamped nor rounded"},
 };
 
+constexpr Named<Fault> fault_names[] = {
+    {Fault::none, "none", "the pipeline as it should be"},
+    {Fault::ties_to_all,
+     "ties-to-all",
+     "a pixel center on an edge belongs to both neighbors: all tests are E >= 0"},
+    {Fault::ties_to_none,
+     "ties-to-none",
+     "a pixel center on an edge belongs to neither neighbor: all tests are E > 0"},
+    {Fault::ties_to_bottom_right,
+     "ties-to-bottom-right",
+     "bottom and right edges own the pixel centers on them instead of top and left ones"},
+    {Fault::half_up_rounding, "half-up-rounding", "snapping rounds halves up instead of to even"},
+    {Fault::floor_snapping, "floor-snapping", "snapping rounds down instead of to nearest"},
+    {Fault::increment_before_test,
+     "increment-before-test",
+     "edge values move on before the test, so every pixel asks for its right neighbor"},
+    {Fault::affine_interpolation,
+     "affine-interpolation",
+     "varyings are interpolated linearly in the window although perspective is asked for"},
+    {Fault::no_divide, "no-divide", "clip coordinates are taken for NDC without dividing by w"},
+    {Fault::viewport_without_parentheses,
+     "viewport-without-parentheses",
+     "y = (1 - y_ndc/2) H instead of (1 - y_ndc)/2 H"},
+    {Fault::near_plane_forgotten,
+     "near-plane-forgotten",
+     "triangles are clipped against every plane but the near one"},
+    {Fault::reversed_winding, "reversed-winding", "fronts are taken for backs"},
+    {Fault::inverted_depth_test,
+     "inverted-depth-test",
+     "a fragment passes the depth test where it should fail"},
+    {Fault::normals_like_points,
+     "normals-like-points",
+     "normals go through the model matrix itself instead of its inverse transpose"},
+    {Fault::camera_not_inverted,
+     "camera-not-inverted",
+     "vertices go through the camera-to-world matrix instead of its inverse"},
+};
+
 } // namespace
 
 template <>
@@ -157,6 +213,10 @@ std::span<const Named<DepthOrder>> names<DepthOrder>() {
 template <>
 std::span<const Named<ColorFormat>> names<ColorFormat>() {
     return color_format_names;
+}
+template <>
+std::span<const Named<Fault>> names<Fault>() {
+    return fault_names;
 }
 
 } // namespace hs

@@ -244,6 +244,19 @@ SettingValue read_size(const Settings& settings) {
     return {SettingValue::List{{std::int64_t{settings.width}}, {std::int64_t{settings.height}}}};
 }
 
+Complaint assign_tile_size(Settings& settings, std::string_view key, const SettingValue& value) {
+    constexpr std::array sizes{2, 4, 8, 16, 32, 64};
+    const std::optional<float> size = to_float(value);
+    const auto* const found = std::ranges::find(sizes, size.value_or(0.0F), [](int side) {
+        return static_cast<float>(side);
+    });
+    if (found == sizes.end()) {
+        return must_be(key, "2, 4, 8, 16, 32 or 64", value);
+    }
+    settings.tile_size = *found;
+    return std::nullopt;
+}
+
 Complaint assign_background(Settings& settings, std::string_view key, const SettingValue& value) {
     const std::optional<glm::vec4> color = to_vec4(value);
     if (!color) {
@@ -454,6 +467,15 @@ std::vector<Row> algorithm_rows() {
         choice_row<&Settings::traversal>(
             {"traversal", "which pixels are visited to find those a triangle covers", ""}
         ),
+        {info(
+             {"tile_size",
+              "side of the largest tile of the hierarchical traversal in pixels: a power of two, 2 "
+              "to 64",
+              ""},
+             SettingType::number
+         ),
+         assign_tile_size,
+         [](const Settings& settings) { return SettingValue{std::int64_t{settings.tile_size}}; }},
         choice_row<&Settings::shading>(
             {"shading", "where lighting is computed, if at all", "glShadeModel"}
         ),
@@ -461,6 +483,9 @@ std::vector<Row> algorithm_rows() {
             {"interpolation",
              "how values at the vertices spread over a triangle",
              "smooth, noperspective, flat"}
+        ),
+        choice_row<&Settings::fault>(
+            {"fault", "a classic mistake, made on purpose: for bug hunts", ""}
         ),
     };
 }

@@ -24,7 +24,13 @@ enum class Visibility : std::uint8_t {
 };
 enum class TraversalKind : std::uint8_t {
     brute_force,
-    bounding_box
+    bounding_box,
+    incremental,
+    serpentine,
+    hierarchical,
+    edge_walk,
+    edge_table,
+    homogeneous
 };
 enum class CullFace : std::uint8_t {
     none,
@@ -75,6 +81,25 @@ enum class ColorFormat : std::uint8_t {
     rgba32f
 };
 
+/// A classic mistake, seeded on purpose.
+enum class Fault : std::uint8_t {
+    none,
+    ties_to_all,
+    ties_to_none,
+    ties_to_bottom_right,
+    half_up_rounding,
+    floor_snapping,
+    increment_before_test,
+    affine_interpolation,
+    no_divide,
+    viewport_without_parentheses,
+    near_plane_forgotten,
+    reversed_winding,
+    inverted_depth_test,
+    normals_like_points,
+    camera_not_inverted,
+};
+
 /// One frame's settings, or one object's after its overrides. Defaults are those of docs and scene
 /// files.
 struct Settings {
@@ -83,6 +108,7 @@ struct Settings {
     glm::vec4 background{0.0F, 0.0F, 0.0F, 1.0F};
     Visibility visibility = Visibility::z_buffer;
     TraversalKind traversal = TraversalKind::bounding_box;
+    int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
     bool clip_enabled = true;
     std::vector<glm::vec4>
         clip_planes; ///< user planes in eye space, inside where ax + by + cz + d >= 0; at most 2
@@ -101,6 +127,7 @@ struct Settings {
     std::optional<PixelRect> scissor;         ///< empty: no scissor test
     bool blend_enabled =
         false; ///< source alpha over destination: src·a + dst·(1 − a); alpha: a + dst_a·(1 − a)
+    Fault fault = Fault::none;
 
     [[nodiscard]] CompareOp depth_test() const {
         const bool reversed = depth_convention == DepthConvention::reversed;
@@ -203,4 +230,6 @@ template <>
 std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
 template <>
 std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
+template <>
+std::span<const Named<scene::Fault>> names<scene::Fault>();
 } // namespace hs

@@ -8,11 +8,10 @@
 namespace hs::trace {
 namespace {
 
-/// Keeps the values of one triangle's geometry and of one of its fragments.
-class DetailTrace {
+/// Keeps the values of one triangle's geometry.
+class TriangleTrace : public raster::SilentTraversal {
 public:
-    DetailTrace(TriangleDetail& triangle, FragmentDetail* fragment, PixelPos pixel)
-        : triangle_(triangle), fragment_(fragment), pixel_(pixel) {}
+    explicit TriangleTrace(TriangleDetail& triangle) : triangle_(triangle) {}
 
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
@@ -34,11 +33,78 @@ public:
         triangle_.pieces.back().facing = facing;
     }
     void set_up(const raster::TriangleSetup& setup) { triangle_.pieces.back().setup = setup; }
-    void unit(int) {}
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
+    void oriented(double determinant, geometry::TriangleVerdict facing) {
+        triangle_.pieces.back().determinant = determinant;
+        triangle_.pieces.back().facing = facing;
+    }
+    void planes_set_up(const raster::HomogeneousSetup& planes) {
+        triangle_.pieces.back().planes = planes;
+        triangle_.pieces.back().setup = planes.window;
+    }
+    void interpolated(const raster::Fragment&) {}
+    void shaded(const shading::ShadedFragment&) {}
+    void scissor_tested(bool) {}
+    void depth_tested(const pipeline::DepthTest&) {}
+    void merged(const pipeline::Merge&) {}
+    void fragment_end(fragment::FragmentFate) {}
+    void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+
+private:
+    TriangleDetail& triangle_;
+};
+static_assert(pipeline::TraceSink<TriangleTrace>);
+
+/// Keeps also what the traversal knew at a step, and the values of the step's fragment.
+class StepTrace : public TriangleTrace {
+public:
+    StepTrace(StepDetail& detail, const Step& step)
+        : TriangleTrace(*detail.triangle),
+          traversal_(detail.traversal ? &*detail.traversal : nullptr),
+          fragment_(detail.fragment ? &*detail.fragment : nullptr),
+          step_(step),
+          reached_(!detail.traversal) {}
+
+    void piece_begin(int piece) {
+        TriangleTrace::piece_begin(piece);
+        piece_ = piece;
+    }
+    void edge_test(PixelPos pixel, const raster::EdgeValues&, bool) {
+        reached_ = reached_ || is_step(StepKind::edge_test, pixel);
+    }
+    void tile_tested(const raster::TileTest& tile) {
+        if (!reached_) {
+            traversal_->tile = tile;
+            reached_ = is_step(StepKind::tile_test, tile.origin) && tile.size == step_.tile_size;
+        }
+    }
+    void edges_bucketed(const raster::EdgeTable& table) {
+        if (!reached_) {
+            traversal_->edge_table = table;
+            reached_ = step_.kind == StepKind::edge_table && piece_ == step_.piece;
+        }
+    }
+    void edges_activated(const raster::ActiveEdges& active) {
+        if (!reached_) {
+            traversal_->active = active;
+            reached_ = is_step(StepKind::active_edges, {0, active.row});
+        }
+    }
+    void span_found(const raster::Span& span) {
+        if (!reached_) {
+            traversal_->span = span;
+            reached_ = is_step(StepKind::span, {0, span.row});
+        }
+    }
+    void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
+        if (!reached_) {
+            traversal_->planes = test;
+            reached_ = is_step(StepKind::plane_test, pixel);
+        }
+    }
     void interpolated(const raster::Fragment& fragment) {
-        listening_ = fragment_ != nullptr && fragment.pixel == pixel_;
+        listening_ = fragment_ != nullptr && fragment.pixel == step_.pixel;
         if (listening_) {
+            reached_ = true;
             fragment_->fragment = fragment;
         }
     }
@@ -67,15 +133,20 @@ public:
             fragment_->fate = fate;
         }
     }
-    void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
 
 private:
-    TriangleDetail& triangle_;
+    [[nodiscard]] bool is_step(StepKind kind, PixelPos place) const {
+        return step_.kind == kind && step_.pixel == place;
+    }
+
+    TraversalDetail* traversal_;
     FragmentDetail* fragment_;
-    PixelPos pixel_;
+    const Step& step_;
+    bool reached_; ///< what comes after the step is not kept
+    int piece_ = 0;
     bool listening_ = false;
 };
-static_assert(pipeline::TraceSink<DetailTrace>);
+static_assert(pipeline::TraceSink<StepTrace>);
 
 /// The part of a triangle's traversal that a step's pixel belongs to: one unit.
 pipeline::TriangleScope scope_of(const Step& step) {
@@ -126,7 +197,7 @@ triangle_detail(const Recording& recording, std::uint32_t object, std::uint32_t 
     TriangleDetail detail = empty_triangle_detail(recording, object, triangle);
     const std::uint32_t no_one = no_fragment;
     PastPixels pixels(recording, no_one);
-    DetailTrace trace(detail, nullptr, {});
+    TriangleTrace trace(detail);
     pipeline::draw_triangle(
         recording.frame->calls()[object], triangle, geometry_only, pixels, trace
     );
@@ -143,29 +214,32 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
         return detail;
     }
 
-    // Run the triangle again: its geometry, and the one unit the step's pixel lies in
+    // Run the triangle again: its geometry, and the one unit the step lies in
     detail.triangle = empty_triangle_detail(recording, step.object, step.triangle);
     if (step.in_fragment()) {
         detail.fragment.emplace();
         detail.fragment->index = step.fragment;
         detail.fragment->triangle = recording.objects[step.object].first_triangle + step.triangle;
     }
+    if (step.in_unit() || step.kind == StepKind::edge_table) {
+        detail.traversal.emplace();
+    }
     PastPixels pixels(recording, step.fragment);
-    DetailTrace trace(*detail.triangle, detail.fragment ? &*detail.fragment : nullptr, step.pixel);
+    StepTrace trace(detail, step);
     pipeline::draw_triangle(
         recording.frame->calls()[step.object],
         step.triangle,
-        step.in_fragment() ? scope_of(step) : geometry_only,
+        step.in_unit() ? scope_of(step) : geometry_only,
         pixels,
         trace
     );
 
-    // Ask the pixel's edge test again
-    if (step.has_pixel()) {
-        const auto& setup = detail.triangle->pieces[static_cast<std::size_t>(step.piece)].setup;
-        HS_CHECK(setup.has_value(), "a visited pixel belongs to a piece that was set up");
-        const raster::EdgeValues edges = setup->evaluate(step.pixel);
-        detail.visit = VisitDetail{step.pixel, edges, setup->covers(edges)};
+    // Ask the pixel's edge test again; across the eye there is none
+    const auto& pieces = detail.triangle->pieces;
+    const auto piece = static_cast<std::size_t>(step.piece);
+    if (step.has_pixel() && pieces[piece].setup) {
+        const raster::EdgeValues edges = pieces[piece].setup->evaluate(step.pixel);
+        detail.visit = VisitDetail{step.pixel, edges, pieces[piece].setup->covers(edges)};
     }
     return detail;
 }

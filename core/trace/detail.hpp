@@ -34,6 +34,8 @@ struct PieceDetail {
     std::int64_t signed_doubled_area = 0; ///< in 1/65536 pixel², > 0: counterclockwise as seen
     geometry::TriangleVerdict facing = geometry::TriangleVerdict::drawn;
     std::optional<raster::TriangleSetup> setup; ///< empty: culled, degenerate or without a place
+    std::optional<raster::HomogeneousSetup> planes; ///< homogeneous rasterization
+    std::optional<double> determinant;              ///< its facing, if a vertex has no place
 };
 
 struct TriangleDetail {
@@ -56,6 +58,15 @@ struct VisitDetail {
     bool inside = false;
 };
 
+/// What a traversal knew at a step: the last it worked out before, or at, the step.
+struct TraversalDetail {
+    std::optional<raster::TileTest> tile;        ///< the smallest that holds the step
+    std::optional<raster::EdgeTable> edge_table; ///< of the whole piece
+    std::optional<raster::ActiveEdges> active;   ///< on the step's scanline
+    std::optional<raster::Span> span;            ///< likewise
+    std::optional<raster::PlaneTest> planes;     ///< of the step's pixel
+};
+
 /// A fragment's life. Parts it did not reach are empty.
 struct FragmentDetail {
     std::uint32_t index = no_fragment;    ///< into the fragment log
@@ -72,6 +83,7 @@ struct FragmentDetail {
 struct StepDetail {
     std::optional<VertexDetail> vertex;
     std::optional<TriangleDetail> triangle;
+    std::optional<TraversalDetail> traversal; ///< steps in a traversal
     std::optional<VisitDetail> visit;
     std::optional<FragmentDetail> fragment;
 };

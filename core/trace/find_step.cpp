@@ -23,6 +23,9 @@ struct PathParts {
     std::optional<std::uint32_t> triangle;
     std::optional<std::uint32_t> piece;
     std::optional<geometry::ClipPlane> plane;
+    std::optional<PixelPos> tile;
+    std::optional<int> tile_size;
+    std::optional<int> scanline;
     std::optional<PixelPos> visit;
     std::optional<PixelPos> fragment;
     std::optional<StepKind> operation;
@@ -71,6 +74,16 @@ bool parse_triangle(std::string_view rest, PathParts& parts) {
     return parts.triangle && (parts.piece || piece == std::string_view::npos);
 }
 
+/// "tile 8,0 size 4" to tile and size; without a size, the smallest tile there.
+bool parse_tile(std::string_view rest, PathParts& parts) {
+    const auto size = rest.find("size");
+    parts.tile = parse_pixel(trimmed(rest.substr(0, size)));
+    if (size != std::string_view::npos) {
+        parts.tile_size = parse_number<int>(trimmed(rest.substr(size + 4)));
+    }
+    return parts.tile && (parts.tile_size || size == std::string_view::npos);
+}
+
 /// Reads one part into `parts`; false when it is not understood.
 bool parse_part(std::string_view part, PathParts& parts) {
     if (part == "vertex stage") {
@@ -89,6 +102,12 @@ bool parse_part(std::string_view part, PathParts& parts) {
     const std::string_view rest = trimmed(part.substr(space));
     if (word == "triangle") {
         return parse_triangle(rest, parts);
+    }
+    if (word == "tile") {
+        return parse_tile(rest, parts);
+    }
+    if (word == "scanline") {
+        return (parts.scanline = parse_number<int>(rest)).has_value();
     }
     if (word == "plane") {
         return (parts.plane = parse_name<geometry::ClipPlane>(rest)).has_value();
@@ -149,11 +168,20 @@ bool matches(const Step& step, const PathParts& parts) {
     if (parts.plane && (step.kind != StepKind::clip_plane || step.plane != *parts.plane)) {
         return false;
     }
+    if (parts.tile && (step.kind != StepKind::tile_test || step.pixel != *parts.tile ||
+                       step.tile_size != parts.tile_size.value_or(step.tile_size))) {
+        return false;
+    }
+    if (parts.scanline &&
+        (!(step.of_scanline() || step.has_pixel()) || step.pixel.y != *parts.scanline)) {
+        return false;
+    }
     if (parts.visit && (!step.has_pixel() || step.pixel != *parts.visit)) {
         return false;
     }
     // A visit without operation is the edge test itself; a fragment is everything after it
-    if (parts.visit && !parts.operation && step.kind != StepKind::edge_test) {
+    const bool test = step.kind == StepKind::edge_test || step.kind == StepKind::plane_test;
+    if (parts.visit && !parts.operation && !test) {
         return false;
     }
     if (parts.fragment && (!step.in_fragment() || step.pixel != *parts.fragment)) {
@@ -188,8 +216,8 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
     const std::uint32_t frame_triangle = object.first_triangle + *parts.triangle;
     const StepId first = recording.triangles[frame_triangle].first_step;
     const StepId last = last_step_of_triangle(recording, frame_triangle);
-    const bool whole =
-        !parts.piece && !parts.plane && !parts.visit && !parts.fragment && !parts.operation;
+    const bool whole = !parts.piece && !parts.plane && !parts.tile && !parts.scanline &&
+                       !parts.visit && !parts.fragment && !parts.operation;
     if (whole) {
         return last;
     }
@@ -208,7 +236,8 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
 
 Result<StepId> find_parts(const Recording& recording, PathParts parts) {
     const auto objects = static_cast<std::uint32_t>(recording.objects.size());
-    const bool names_inside = parts.vertex || parts.triangle || parts.visit || parts.fragment;
+    const bool names_pixels = parts.visit || parts.fragment || parts.tile || parts.scanline;
+    const bool names_inside = parts.vertex || parts.triangle || names_pixels;
     if (!parts.object && names_inside && objects == 1) {
         parts.object = 0;
     }
@@ -233,7 +262,7 @@ Result<StepId> find_parts(const Recording& recording, PathParts parts) {
         return no_step(fmt::format("object {} has no triangles", *parts.object));
     }
     if (!parts.triangle) {
-        if (parts.visit || parts.fragment || parts.operation || parts.plane) {
+        if (names_pixels || parts.operation || parts.plane) {
             return no_step("say which triangle, as in 'object 0 / triangle 12 / setup'");
         }
         parts.triangle = object.triangle_count - 1;

@@ -116,7 +116,7 @@ StepId fragment_target(const Player& player, Direction direction) {
 }
 
 bool same_unit(const Step& a, const Step& b) {
-    return a.has_pixel() && b.has_pixel() && a.object == b.object && a.triangle == b.triangle &&
+    return a.in_unit() && b.in_unit() && a.object == b.object && a.triangle == b.triangle &&
            a.piece == b.piece && a.unit == b.unit;
 }
 
@@ -125,7 +125,7 @@ void offer_units(const Outline& window, Nearest& nearest) {
     for (std::size_t i = 0; i < window.steps.size(); ++i) {
         const bool ends =
             i + 1 == window.steps.size() || !same_unit(window.steps[i], window.steps[i + 1]);
-        if (window.steps[i].has_pixel() && ends) {
+        if (window.steps[i].in_unit() && ends) {
             nearest.offer(window.steps[i].id);
         }
     }
@@ -208,6 +208,11 @@ StepId search_stretches(
     }
 }
 
+/// Grows with every step of a traversal.
+std::uint64_t traversed(const Counters& counters) {
+    return counters.traversal.pixels + counters.traversal.tiles + counters.scan_steps;
+}
+
 std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
     switch (stage) {
     case Stage::application:
@@ -217,7 +222,7 @@ std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
     case Stage::viewport: return counters.pieces_mapped;
     case Stage::cull: return counters.pieces_faced;
     case Stage::setup: return counters.pieces_set_up;
-    case Stage::traverse: return counters.pixels_visited;
+    case Stage::traverse: return traversed(counters);
     case Stage::shade: return counters.fragments_shaded;
     case Stage::test: return counters.fragments_tested;
     case Stage::merge:
@@ -237,12 +242,7 @@ StepId Player::target(Granularity granularity, Direction direction) const {
     case Granularity::triangle: return triangle_target(recording, step(), direction);
     case Granularity::scanline:
         return search_stretches(
-            recording,
-            step(),
-            direction,
-            fallback(recording, direction),
-            [](const Counters& c) { return c.pixels_visited; },
-            offer_units
+            recording, step(), direction, fallback(recording, direction), traversed, offer_units
         );
     case Granularity::fragment: return fragment_target(*this, direction);
     case Granularity::operation:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace hs::trace {
 namespace {
@@ -48,17 +49,44 @@ public:
     void divided(const std::array<geometry::WindowVertex, 3>&) { add(StepKind::divide); }
     void mapped(const std::array<geometry::WindowVertex, 3>&) { add(StepKind::viewport); }
     void faced(std::int64_t, geometry::TriangleVerdict) { add(StepKind::facing); }
+    void oriented(double, geometry::TriangleVerdict) { add(StepKind::facing); }
     void set_up(const raster::TriangleSetup&) { add(StepKind::setup); }
+    void planes_set_up(const raster::HomogeneousSetup&) { add(StepKind::setup); }
     void unit(int unit) {
-        listening_ = true; // a re-run that resumes inside a triangle begins with a unit
+        if (!std::exchange(listening_, true)) {
+            spent_ = {}; // a re-run that resumes inside a triangle begins with a unit
+        }
         at_.unit = unit;
     }
+    void cost(const raster::Cost& cost) { spent_ += cost; }
     void edge_test(PixelPos pixel, const raster::EdgeValues&, bool inside) {
         at_.pixel = pixel;
         at_.covered = inside;
         add(StepKind::edge_test);
     }
-    void interpolated(const raster::Fragment&) {
+    void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
+        at_.pixel = pixel;
+        at_.covered = test.inside;
+        add(StepKind::plane_test);
+    }
+    void tile_tested(const raster::TileTest& tile) {
+        at_.pixel = tile.origin;
+        at_.tile_size = tile.size;
+        add(StepKind::tile_test);
+        at_.tile_size = 0;
+    }
+    void edges_bucketed(const raster::EdgeTable&) { add(StepKind::edge_table); }
+    void edges_activated(const raster::ActiveEdges& active) {
+        at_.pixel = {0, active.row};
+        add(StepKind::active_edges);
+    }
+    void span_found(const raster::Span& span) {
+        at_.pixel = {0, span.row};
+        add(StepKind::span);
+    }
+    void interpolated(const raster::Fragment& fragment) {
+        at_.pixel = fragment.pixel;
+        at_.covered = true;
         at_.fragment = fragment_;
         add(StepKind::interpolate);
     }
@@ -85,6 +113,7 @@ private:
         }
         at_.kind = kind;
         outline_.steps.push_back(at_);
+        outline_.costs.push_back(std::exchange(spent_, {}));
         ++at_.id;
     }
     void add_test(StepKind kind, bool passed) {
@@ -99,6 +128,7 @@ private:
     std::uint32_t fragment_;
     bool listening_;
     Step at_;
+    raster::Cost spent_;
 };
 static_assert(pipeline::TraceSink<OutlineTrace>);
 static_assert(framebuffer::PixelTarget<PastPixels>);
@@ -141,6 +171,7 @@ Outline outline(const Recording& recording, std::size_t entry) {
     const Stop stop = stop_after(recording, entry);
     Outline result;
     result.steps.reserve(stop.step - from.step);
+    result.costs.reserve(stop.step - from.step);
     OutlineTrace trace(recording, result, from, stop.step);
     PastPixels pixels(recording, trace.fragment());
 

@@ -17,7 +17,8 @@ namespace hs::trace {
 
 struct Outline {
     StepId first_step = 0;
-    std::vector<Step> steps; ///< consecutive: steps[i].id = first_step + i
+    std::vector<Step> steps;         ///< consecutive: steps[i].id = first_step + i
+    std::vector<raster::Cost> costs; ///< what the traversal spent from the step before to this one
     /// Fragments whose re-run differed from the log. Always 0 unless program or recording are
     /// damaged.
     std::uint32_t divergences = 0;

@@ -142,6 +142,7 @@ Counters Player::counters() const {
         if (s.id > step()) {
             break;
         }
+        count_cost(counters, window.costs[s.id - window.first_step]);
         const bool first = s.kind == StepKind::clip_plane ? previous == StepKind::outcodes
                                                           : previous != StepKind::scissor_test;
         count_step(counters, s.kind, s.passed, first);

@@ -94,7 +94,12 @@ public:
     void divided(const std::array<geometry::WindowVertex, 3>&) { step(StepKind::divide); }
     void mapped(const std::array<geometry::WindowVertex, 3>&) { step(StepKind::viewport); }
     void faced(std::int64_t, geometry::TriangleVerdict) { step(StepKind::facing); }
+    void oriented(double, geometry::TriangleVerdict) { step(StepKind::facing); }
     void set_up(const raster::TriangleSetup&) {
+        step(StepKind::setup);
+        run_open_ = false;
+    }
+    void planes_set_up(const raster::HomogeneousSetup&) {
         step(StepKind::setup);
         run_open_ = false;
     }
@@ -103,11 +108,20 @@ public:
             add_index_entry(unit);
         }
     }
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) { edge_tests(1); }
+    void cost(const raster::Cost& cost) { count_cost(counters_, cost); }
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) { step(StepKind::edge_test); }
     void edge_tests(int pixels) {
-        step_ += static_cast<StepId>(pixels);
-        counters_.pixels_visited += static_cast<std::uint64_t>(pixels);
+        const auto count = static_cast<std::uint64_t>(pixels);
+        step_ += count;
+        count_cost(
+            counters_, {.pixels = count, .evaluations = count * raster::cost_of_asking.evaluations}
+        );
     }
+    void tile_tested(const raster::TileTest&) { step(StepKind::tile_test); }
+    void edges_bucketed(const raster::EdgeTable&) { step(StepKind::edge_table); }
+    void edges_activated(const raster::ActiveEdges&) { step(StepKind::active_edges); }
+    void span_found(const raster::Span&) { step(StepKind::span); }
+    void planes_tested(PixelPos, const raster::PlaneTest&) { step(StepKind::plane_test); }
 
     void interpolated(const raster::Fragment& fragment) {
         step(StepKind::interpolate);

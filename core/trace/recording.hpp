@@ -11,6 +11,7 @@
 #include "core/fragment/fate.hpp"
 #include "core/geometry/facing.hpp"
 #include "core/pipeline/frame.hpp"
+#include "core/raster/cost.hpp"
 #include "core/trace/chunked.hpp"
 #include "core/trace/pixel_buffer.hpp"
 #include "core/trace/step.hpp"
@@ -50,15 +51,16 @@ struct Run {
 
 /// What has happened up to a step.
 struct Counters {
-    std::uint64_t vertices = 0;       ///< through the vertex stage
-    std::uint64_t triangles = 0;      ///< that entered clipping
-    std::uint64_t clipped = 0;        ///< of those, crossing at least one plane
-    std::uint64_t pieces = 0;         ///< triangles after clipping, divided
-    std::uint64_t pieces_mapped = 0;  ///< that reached the window
-    std::uint64_t pieces_faced = 0;   ///< whose area was computed
-    std::uint64_t pieces_set_up = 0;  ///< that survived culling
-    std::uint64_t pixels_visited = 0; ///< edge tests
-    std::uint64_t fragments = 0;      ///< covered pixels
+    std::uint64_t vertices = 0;      ///< through the vertex stage
+    std::uint64_t triangles = 0;     ///< that entered clipping
+    std::uint64_t clipped = 0;       ///< of those, crossing at least one plane
+    std::uint64_t pieces = 0;        ///< triangles after clipping, divided
+    std::uint64_t pieces_mapped = 0; ///< that reached the window
+    std::uint64_t pieces_faced = 0;  ///< whose area was computed
+    std::uint64_t pieces_set_up = 0; ///< that survived culling
+    std::uint64_t scan_steps = 0;    ///< edge tables, their updates, spans
+    raster::Cost traversal;          ///< pixels and tiles visited, and what that took
+    std::uint64_t fragments = 0;     ///< covered pixels
     std::uint64_t fragments_shaded = 0;
     std::uint64_t fragments_tested = 0;                      ///< entered the tests
     std::array<std::uint64_t, fragment::fate_count> fates{}; ///< by FragmentFate

@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 18> table{{
+    static constexpr std::array<Named<StepKind>, 23> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -21,7 +21,18 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
         {StepKind::viewport, "viewport", "NDC become pixels, snapped to 1/256"},
         {StepKind::facing, "cull", "the sign of the snapped area decides which side is seen"},
         {StepKind::setup, "setup", "the three edge functions are set up"},
+        {StepKind::edge_table,
+         "edge table",
+         "edges are sorted into buckets by their first scanline"},
+        {StepKind::tile_test, "tile test", "a tile's corners are held against the three edges"},
+        {StepKind::active_edges,
+         "active edges",
+         "the edges that cross the scanline are brought up to date"},
+        {StepKind::span, "span", "the pixels between the left and the right edge are found"},
         {StepKind::edge_test, "edge test", "the pixel center is held against the three edges"},
+        {StepKind::plane_test,
+         "plane test",
+         "the pixel center is held against the planes through eye and edges"},
         {StepKind::interpolate, "interpolate", "depth and varyings are interpolated at the pixel"},
         {StepKind::shade, "shade", "the fragment gets its color"},
         {StepKind::scissor_test, "scissor test", "the pixel is held against the scissor rectangle"},
@@ -60,7 +71,7 @@ std::span<const Named<trace::Granularity>> names<trace::Granularity>() {
         {Granularity::stage, "stage", "all vertices, then all triangles"},
         {Granularity::object, "object", "one object's vertices, or its triangles"},
         {Granularity::triangle, "triangle", "one triangle (in the vertex stage: one vertex)"},
-        {Granularity::scanline, "scanline", "one row of a triangle's traversal"},
+        {Granularity::scanline, "scanline", "one row of a triangle's traversal, or one tile"},
         {Granularity::fragment, "fragment", "one fragment from interpolation to its fate"},
         {Granularity::operation, "operation", "one step"},
     }};
@@ -84,7 +95,12 @@ Stage stage_of(StepKind kind) {
     case StepKind::viewport: return Stage::viewport;
     case StepKind::facing: return Stage::cull;
     case StepKind::setup: return Stage::setup;
+    case StepKind::edge_table:
+    case StepKind::tile_test:
+    case StepKind::active_edges:
+    case StepKind::span:
     case StepKind::edge_test:
+    case StepKind::plane_test:
     case StepKind::interpolate: return Stage::traverse;
     case StepKind::shade: return Stage::shade;
     case StepKind::scissor_test:
@@ -114,8 +130,15 @@ std::string step_path(const Step& step) {
     if (step.clipped && step.has_piece()) {
         path += fmt::format(" piece {}", step.piece);
     }
-    if (step.kind == StepKind::edge_test) {
+    if (step.kind == StepKind::edge_test || step.kind == StepKind::plane_test) {
         return path + fmt::format(" / pixel {},{}", step.pixel.x, step.pixel.y);
+    }
+    if (step.kind == StepKind::tile_test) {
+        return path +
+               fmt::format(" / tile {},{} size {}", step.pixel.x, step.pixel.y, step.tile_size);
+    }
+    if (step.of_scanline()) {
+        path += fmt::format(" / scanline {}", step.pixel.y);
     }
     if (step.in_fragment()) {
         path += fmt::format(" / fragment {},{}", step.pixel.x, step.pixel.y);

@@ -28,7 +28,12 @@ enum class StepKind : std::uint8_t {
     viewport,
     facing,
     setup,
+    edge_table,
+    tile_test,
+    active_edges,
+    span,
     edge_test,
+    plane_test,
     interpolate,
     shade,
     scissor_test,
@@ -75,10 +80,11 @@ struct Step {
     std::uint32_t triangle = 0; ///< outcodes and later: index into the object's triangles
     bool clipped = false;       ///< the triangle was clipped, so that its piece is part of the path
     std::int32_t piece = 0;     ///< divide and later
-    std::int32_t unit = 0;      ///< edge test and later: row of the traversal
+    std::int32_t unit = 0;      ///< tile test and later: unit of the traversal
     geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
-    PixelPos pixel{};                                      ///< edge test and later
-    bool covered = false;       ///< edge test: the pixel is inside; fragment kinds: true
+    PixelPos pixel{}; ///< edge test and later; of a tile its first pixel, of a scanline its row
+    std::int32_t tile_size = 0; ///< tile_test: pixels a side
+    bool covered = false;       ///< edge and plane test: the pixel is inside; fragment kinds: true
     bool passed = true;         ///< tests: the verdict
     std::uint32_t fragment = 0; ///< interpolate and later: index into the fragment log
 
@@ -90,6 +96,13 @@ struct Step {
     }
     [[nodiscard]] bool has_piece() const {
         return kind >= StepKind::divide && kind <= StepKind::merge;
+    }
+    /// Belongs to a unit of a traversal.
+    [[nodiscard]] bool in_unit() const {
+        return kind >= StepKind::tile_test && kind <= StepKind::merge;
+    }
+    [[nodiscard]] bool of_scanline() const {
+        return kind == StepKind::active_edges || kind == StepKind::span;
     }
     [[nodiscard]] bool has_pixel() const {
         return kind >= StepKind::edge_test && kind <= StepKind::merge;

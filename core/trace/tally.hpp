@@ -22,7 +22,12 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::viewport: ++counters.pieces_mapped; break;
     case StepKind::facing: ++counters.pieces_faced; break;
     case StepKind::setup: ++counters.pieces_set_up; break;
-    case StepKind::edge_test: ++counters.pixels_visited; break;
+    case StepKind::edge_table:
+    case StepKind::active_edges:
+    case StepKind::span: ++counters.scan_steps; break;
+    case StepKind::tile_test:
+    case StepKind::edge_test:
+    case StepKind::plane_test: break; // tiles and pixels are part of the cost
     case StepKind::interpolate: ++counters.fragments; break;
     case StepKind::shade: ++counters.fragments_shaded; break;
     case StepKind::scissor_test:
@@ -37,6 +42,11 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
         ++counters.fates[static_cast<std::size_t>(fragment::FragmentFate::written)];
         break;
     }
+}
+
+/// What a traversal spent belongs to the next step.
+inline void count_cost(Counters& counters, const raster::Cost& cost) {
+    counters.traversal += cost;
 }
 
 } // namespace hs::trace

@@ -17,7 +17,9 @@ namespace {
 using Corners = std::array<FixedPosition, 3>;
 
 /// Listens to a traversal and believes nothing.
-struct Listener {
+struct Listener : raster::SilentTraversal {
+    explicit Listener(const raster::TriangleSetup& to) : setup(to) {}
+
     const raster::TriangleSetup& setup;
     int last_unit = -1;
 
@@ -45,7 +47,7 @@ std::vector<PixelPos> emitted(
     std::vector<PixelPos> pixels;
     Listener listener{setup};
     raster::traverse(
-        kind,
+        {kind},
         setup,
         image,
         units,

@@ -2,6 +2,7 @@
 #include "core/fragment/fate.hpp"
 #include "core/geometry/clip_volume.hpp"
 #include "core/geometry/facing.hpp"
+#include "core/raster/tile.hpp"
 #include "core/scene/scene.hpp"
 #include "core/trace/step.hpp"
 #include "tests/support/catch.hpp"
@@ -53,12 +54,14 @@ constexpr Table tables[] = {
     {"fragment::FragmentFate", check_table<fragment::FragmentFate>},
     {"geometry::ClipPlane", check_table<geometry::ClipPlane>},
     {"geometry::TriangleVerdict", check_table<geometry::TriangleVerdict>},
+    {"raster::TileVerdict", check_table<raster::TileVerdict>},
     {"scene::ColorFormat", check_table<scene::ColorFormat>},
     {"scene::CompareOp", check_table<scene::CompareOp>},
     {"scene::CullFace", check_table<scene::CullFace>},
     {"scene::DepthConvention", check_table<scene::DepthConvention>},
     {"scene::DepthFormat", check_table<scene::DepthFormat>},
     {"scene::DepthOrder", check_table<scene::DepthOrder>},
+    {"scene::Fault", check_table<scene::Fault>},
     {"scene::Forward", check_table<scene::Forward>},
     {"scene::InterpolationKind", check_table<scene::InterpolationKind>},
     {"scene::LightKind", check_table<scene::LightKind>},

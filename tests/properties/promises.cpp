@@ -116,14 +116,14 @@ TEST_CASE("forward then back is the identity between unit ends", "[property][tra
 
 TEST_CASE("targets equal a linear scan over every step", "[property][trace]") {
     const auto ends_unit = [](const trace::Step& s, const trace::Step& next, Granularity g) {
-        const bool pixel = s.has_pixel();
+        const bool in_unit = s.in_unit();
         const bool same_triangle =
             next.in_triangle() && s.object == next.object && s.triangle == next.triangle;
-        const bool same_unit = pixel && next.has_pixel() && same_triangle &&
+        const bool same_unit = in_unit && next.in_unit() && same_triangle &&
                                s.piece == next.piece && s.unit == next.unit;
         const bool same_fragment =
             s.in_fragment() && next.in_fragment() && s.fragment == next.fragment;
-        return g == Granularity::scanline   ? pixel && !same_unit
+        return g == Granularity::scanline   ? in_unit && !same_unit
                : g == Granularity::fragment ? s.in_fragment() && !same_fragment
                                             : false;
     };

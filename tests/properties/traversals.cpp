@@ -21,9 +21,9 @@ Emissions emissions(
     const raster::UnitRange& units = {}
 ) {
     Emissions found;
-    tests::SilentTraversal silent;
+    raster::SilentTraversal silent;
     raster::traverse(
-        kind,
+        {kind},
         setup,
         image,
         units,

@@ -48,10 +48,21 @@ public:
         add(StepKind::setup);
     }
     void unit(int) {}
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) {
-        ++counters_.pixels_visited;
-        add(StepKind::edge_test);
+    void oriented(double, geometry::TriangleVerdict) {
+        ++counters_.pieces_faced;
+        add(StepKind::facing);
     }
+    void planes_set_up(const raster::HomogeneousSetup&) {
+        ++counters_.pieces_set_up;
+        add(StepKind::setup);
+    }
+    void cost(const raster::Cost& cost) { counters_.traversal += cost; }
+    void edge_test(PixelPos, const raster::EdgeValues&, bool) { add(StepKind::edge_test); }
+    void tile_tested(const raster::TileTest&) { add(StepKind::tile_test); }
+    void edges_bucketed(const raster::EdgeTable&) { scan(StepKind::edge_table); }
+    void edges_activated(const raster::ActiveEdges&) { scan(StepKind::active_edges); }
+    void planes_tested(PixelPos, const raster::PlaneTest&) { add(StepKind::plane_test); }
+    void span_found(const raster::Span&) { scan(StepKind::span); }
     void interpolated(const raster::Fragment&) {
         ++counters_.fragments;
         tests_ = 0;
@@ -73,6 +84,10 @@ public:
     void add(StepKind kind) { moments_.push_back({kind, target_.digest(), counters_}); }
 
 private:
+    void scan(StepKind kind) {
+        ++counters_.scan_steps;
+        add(kind);
+    }
     void test(StepKind kind, bool passed, std::size_t fate) {
         counters_.fragments_tested += tests_++ == 0 ? 1U : 0U;
         counters_.fates[fate] += passed ? 0U : 1U;

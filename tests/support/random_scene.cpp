@@ -19,7 +19,8 @@ scene::Settings random_settings(Random& random) {
     s.height = 1 + static_cast<int>(random.below(24));
     s.background = {0.125F, 0.25F, 0.5F, 1.0F};
     s.visibility = random.one_in(4) ? scene::Visibility::none : scene::Visibility::z_buffer;
-    s.traversal = any<scene::TraversalKind>(random, 2);
+    s.traversal = any<scene::TraversalKind>(random, 8);
+    s.tile_size = 2 << random.below(6);
     s.clip_enabled = !random.one_in(5);
     if (random.one_in(4)) {
         s.clip_planes.emplace_back(1.0F, 0.5F, 0.25F, random.between(-1.0F, 3.0F));

@@ -14,12 +14,6 @@
 
 namespace hs::tests {
 
-/// Listens to a traversal and keeps nothing.
-struct SilentTraversal {
-    void unit(int) {}
-    void edge_test(PixelPos, const raster::EdgeValues&, bool) {}
-};
-
 inline std::array<geometry::WindowVertex, 3>
 placed(std::span<const glm::vec4> corners, const geometry::Viewport& viewport) {
     const auto place = [&](std::size_t k) {
@@ -52,8 +46,8 @@ void rasterize(
     Emit&& emit
 ) {
     if (setup) {
-        SilentTraversal silent;
-        raster::traverse(kind, *setup, image, {}, silent, emit);
+        raster::SilentTraversal silent;
+        raster::traverse({kind}, *setup, image, {}, silent, emit);
     }
 }
 

@@ -9,7 +9,7 @@ using namespace hs;
 
 namespace {
 
-struct Cost {
+struct Cost : raster::SilentTraversal {
     int units = 0;
     int visited = 0;
     int covered = 0;
@@ -27,7 +27,7 @@ Cost cost_of(scene::TraversalKind kind, raster::UnitRange units = {}) {
     const auto setup = raster::set_up(v, geometry::doubled_area(v[0], v[1], v[2]), image);
     Cost cost;
     int emitted = 0;
-    raster::traverse(kind, setup, image, units, cost, [&](PixelPos, const raster::EdgeValues&) {
+    raster::traverse({kind}, setup, image, units, cost, [&](PixelPos, const raster::EdgeValues&) {
         ++emitted;
     });
     CHECK(emitted == cost.covered);

@@ -55,7 +55,7 @@ void check_table(std::size_t count) {
 
 TEST_CASE("every enumerator of the scene room has a name and a sentence", "[unit][scene]") {
     check_table<Visibility>(2);
-    check_table<TraversalKind>(2);
+    check_table<TraversalKind>(8);
     check_table<CullFace>(3);
     check_table<Winding>(2);
     check_table<Shading>(4);
@@ -65,6 +65,7 @@ TEST_CASE("every enumerator of the scene room has a name and a sentence", "[unit
     check_table<DepthConvention>(3);
     check_table<DepthOrder>(2);
     check_table<ColorFormat>(2);
+    check_table<Fault>(15);
     check_table<ProjectionKind>(4);
     check_table<Forward>(2);
     check_table<LightKind>(3);
