@@ -54,8 +54,10 @@ std::shared_ptr<const Pieces> gather(const trace::Recording& recording) {
         const trace::TriangleRecord& record = recording.triangles[t];
         const std::uint32_t object = recording.object_of_triangle(t);
         const pipeline::DrawCall& call = recording.frame->calls()[object];
-        const bool clipped = call.settings.clip_enabled && record.crossed != 0 &&
-                             record.verdict != geometry::TriangleVerdict::outside;
+        const bool clips = call.settings.clip_enabled &&
+                           call.settings.traversal != scene::TraversalKind::homogeneous;
+        const bool clipped =
+            clips && record.crossed != 0 && record.verdict != geometry::TriangleVerdict::outside;
         if (clipped) {
             const std::uint32_t own = t - recording.objects[object].first_triangle;
             add_fan(*all, t, weighted_polygon(call, own, record.crossed));

@@ -34,7 +34,7 @@ Table piece_vertices_at(const Player& player) {
     return piece_tables(player.shared_recording()).vertices;
 }
 
-constexpr std::array<TableName, 7> known{{
+constexpr std::array<TableName, 8> known{{
     {"vertices", "every vertex in every space, with its varyings"},
     {"triangles", "every triangle with its verdict"},
     {"fragments", "every fragment up to the step, with its fate"},
@@ -42,11 +42,19 @@ constexpr std::array<TableName, 7> known{{
     {"runs", "stretches of one triangle's fragments, up to the step"},
     {"pieces", "triangles made by clipping"},
     {"piece-vertices", "their vertices, with weights among the original three"},
+    {"traversals", "what every traversal would spend on the step's triangle, or on the frame"},
 }};
 
 /// In the order of the names.
 constexpr std::array<Table (*)(const Player&), known.size()> makers{
-    vertices_at, triangles_at, fragments_at, counters_at, runs_at, pieces_at, piece_vertices_at};
+    vertices_at,
+    triangles_at,
+    fragments_at,
+    counters_at,
+    runs_at,
+    pieces_at,
+    piece_vertices_at,
+    traversal_table};
 
 } // namespace
 

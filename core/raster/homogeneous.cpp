@@ -43,9 +43,7 @@ HomogeneousSetup set_up_planes(const std::array<HomogeneousVertex, 3>& v, const 
         EyePlane& plane = setup.edges[k];
         plane.rho = scaled(plane_through(from, to), 1.0 / det);
         if (from.snapped && to.snapped) {
-            constexpr double unit = 1.0 / (subpixel_scale * subpixel_scale);
             plane.snapped = edge_through(*from.snapped, *to.snapped, det > 0.0);
-            plane.scale = from.w * to.w * unit / std::fabs(det);
         }
     }
     return setup;
@@ -58,8 +56,10 @@ HomogeneousSetup set_up_planes(const TriangleSetup& window, const std::array<dou
     for (unsigned k = 0; k < 3; ++k) {
         EyePlane& plane = setup.edges[k];
         plane.snapped = window.edges[k];
-        plane.scale = 1.0 / (static_cast<double>(window.doubled_area) * w[(k + 2) % 3]);
-        plane.rho = scaled(as_pixel_function(window.edges[k]), plane.scale);
+        plane.rho = scaled(
+            as_pixel_function(window.edges[k]),
+            1.0 / (static_cast<double>(window.doubled_area) * w[(k + 2) % 3])
+        );
     }
     return setup;
 }
@@ -79,9 +79,8 @@ PlaneTest test_planes(const HomogeneousSetup& setup, PixelPos pixel) {
     PlaneTest test;
     test.inside = true;
     for (unsigned k = 0; k < 3; ++k) {
-        const double rho = setup.edges[k](pixel);
-        test.edges[k] = rho;
-        test.inside = test.inside && (rho > 0.0 || (rho == 0.0 && setup.edges[k].owns_ties()));
+        test.edges[k] = setup.edges[k].rho(pixel);
+        test.inside = test.inside && setup.edges[k].covers(pixel);
     }
     test.inv_w = (test.edges[0] + test.edges[1]) + test.edges[2];
     test.inside = test.inside && test.inv_w > 0.0;

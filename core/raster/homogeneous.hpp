@@ -39,18 +39,19 @@ struct PixelFunction {
     }
 };
 
-/// The plane through the eye and an edge: ρ of the vertex opposite, positive inside.
+/// The plane through the eye and an edge.
 struct EyePlane {
-    PixelFunction rho;
-    std::optional<EdgeFunction> snapped; ///< its exact sign, where there is one
-    double scale = 0.0;                  ///< ρ = scale · snapped
+    PixelFunction rho;                   ///< of the vertex opposite, positive inside
+    std::optional<EdgeFunction> snapped; ///< decides the side where there is one, exactly
 
-    [[nodiscard]] double operator()(PixelPos p) const {
-        return snapped ? scale * static_cast<double>((*snapped)(p)) : rho(p);
-    }
-    /// The top-left rule, as EdgeFunction has it.
-    [[nodiscard]] bool owns_ties() const {
-        return snapped ? snapped->owns_ties() : rho.a > 0.0 || (rho.a == 0.0 && rho.b > 0.0);
+    /// Ties by the top-left rule, as edge functions have it.
+    [[nodiscard]] bool covers(PixelPos p) const {
+        if (snapped) {
+            const std::int64_t e = (*snapped)(p);
+            return e > 0 || (e == 0 && snapped->owns_ties());
+        }
+        const double value = rho(p);
+        return value > 0.0 || (value == 0.0 && (rho.a > 0.0 || (rho.a == 0.0 && rho.b > 0.0)));
     }
 };
 

@@ -184,6 +184,6 @@ TEST_CASE("an unknown table is refused with the names of those there are", "[exp
     CHECK(
         table.diagnostics().front().message ==
         "'normals' is not a table; known are vertices, triangles, fragments, counters, runs, "
-        "pieces, piece-vertices"
+        "pieces, piece-vertices, traversals"
     );
 }

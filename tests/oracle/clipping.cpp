@@ -141,6 +141,19 @@ TEST_CASE("user planes cut where exact homogeneous coverage says", "[oracle][cli
     }));
 }
 
+TEST_CASE("homogeneous rasterization covers the same without clipping", "[oracle][clip]") {
+    check(compare_many(around_the_eye(4.0F), [](scene::Scene& scene, tests::Random& random) {
+        see_in_perspective(scene, 0.1F, 10.0F);
+        scene.settings.traversal = scene::TraversalKind::homogeneous;
+        if (random.one_in(2)) {
+            scene.settings.clip_planes = {{1.0F, 0.5F, 0.25F, random.between(-1.0F, 3.0F)}};
+        }
+    }));
+    check(compare_many(anywhere_in_clip_space, [](scene::Scene& scene, tests::Random&) {
+        scene.settings.traversal = scene::TraversalKind::homogeneous;
+    }));
+}
+
 TEST_CASE("exact coverage tells a picture without clipping from the right one", "[oracle][clip]") {
     const Tally tally = compare_many(around_the_eye(4.0F), [](scene::Scene& scene, tests::Random&) {
         see_in_perspective(scene, 0.1F, 10.0F);

@@ -30,7 +30,7 @@ public:
         tests::rasterize(
             tests::setup_of(tests::placed(corners, viewport_), image_),
             image_,
-            scene::TraversalKind::bounding_box,
+            next_traversal(),
             [&](PixelPos p, const raster::EdgeValues&) {
                 ++hits_[static_cast<std::size_t>(p.y * image_.width() + p.x)];
             }
@@ -42,9 +42,16 @@ public:
     }
 
 private:
+    /// Neighbors are drawn by different traversals: each must own its edges alike.
+    scene::TraversalKind next_traversal() {
+        const auto all = names<scene::TraversalKind>();
+        return all[added_++ % all.size()].value;
+    }
+
     PixelRect image_;
     geometry::Viewport viewport_;
     std::vector<int> hits_;
+    std::size_t added_ = 0;
 };
 
 /// Where the vertices of a mesh may lie.
@@ -266,6 +273,23 @@ TEST_CASE("a room around the eye covers every pixel exactly once", "[property][c
             wrong += not_hit(tests::drawn(room(cells, random)), [](int hits) { return hits == 1; });
         }
         INFO(cells << " cells along an edge");
+        CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("a room around the eye needs no clipping to be watertight", "[property][clip]") {
+    tests::Random random(65);
+    for (const bool clips : {true, false}) {
+        std::int64_t wrong = 0;
+        for (const int cells : {1, 3}) {
+            for (int round = 0; round < 40; ++round) {
+                const auto scene = room(cells, random);
+                scene->settings.traversal = scene::TraversalKind::homogeneous;
+                scene->settings.clip_enabled = clips;
+                wrong += not_hit(tests::drawn(scene), [](int hits) { return hits == 1; });
+            }
+        }
+        INFO("clipping " << (clips ? "on" : "off"));
         CHECK(wrong == 0);
     }
 }

@@ -168,6 +168,11 @@ TEST_CASE("a refused value leaves the settings as they were", "[unit][scene]") {
         {"clip.planes", {List{numbers({0.0, 0.0, 0.0, 1.0})}}},
         {"clip.planes", numbers({1.0, 0.0, 0.0, 1.0})},
         {"clip.planes", text("none")},
+        {"tile_size", whole(0)},
+        {"tile_size", whole(12)},
+        {"tile_size", whole(128)},
+        {"tile_size", {8.5}},
+        {"tile_size", text("8")},
     };
     for (const auto& [key, value] : bad) {
         INFO(key);

@@ -1,0 +1,32 @@
+// What every traversal would spend on the same scene, or on one triangle of it: each is run, none
+// is recorded.
+#pragma once
+
+#include "core/raster/cost.hpp"
+#include "core/scene/scene.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hs::trace {
+
+struct TraversalCost {
+    scene::TraversalKind traversal = scene::TraversalKind::brute_force;
+    std::uint64_t fragments = 0; ///< covered pixels
+    raster::Cost cost;
+};
+
+/// One triangle of a scene.
+struct TriangleNumber {
+    std::uint32_t object = 0;
+    std::uint32_t triangle = 0; ///< of the object
+};
+
+/// In the order of the enumeration. Precondition: `only` exists.
+std::vector<TraversalCost> compare_traversals(
+    const std::shared_ptr<const scene::Scene>& scene, std::optional<TriangleNumber> only = {}
+);
+
+} // namespace hs::trace
