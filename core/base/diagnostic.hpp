@@ -34,10 +34,10 @@ public:
     // Both conversions are implicit on purpose: `return mesh;` and `return Diagnostic{...};` read
     // as they should.
     Result(T value) : content_(std::move(value)) {} // NOLINT(google-explicit-constructor)
-    Result(Diagnostic diagnostic)
-        : content_(Diagnostics{std::move(diagnostic)}) {} // NOLINT(google-explicit-constructor)
-    Result(Diagnostics diagnostics)
-        : content_(std::move(diagnostics)) { // NOLINT(google-explicit-constructor)
+    Result(Diagnostic diagnostic)                   // NOLINT(google-explicit-constructor)
+        : content_(Diagnostics{std::move(diagnostic)}) {}
+    Result(Diagnostics diagnostics) // NOLINT(google-explicit-constructor)
+        : content_(std::move(diagnostics)) {
         HS_CHECK(!std::get<Diagnostics>(content_).empty(), "a failed Result says why");
     }
 

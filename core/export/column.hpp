@@ -31,6 +31,7 @@ constexpr ColumnType type_of() {
 
 /// A column of N numbers of type T per row; `get(row)` returns them as an array.
 template <typename T, std::size_t N, typename Get>
+// NOLINTNEXTLINE(performance-unnecessary-value-param): the name is moved, which is not seen here
 Column column(std::string name, Get get) {
     return {
         .name = std::move(name),

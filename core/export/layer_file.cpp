@@ -37,6 +37,19 @@ void append_pixel(fmt::memory_buffer& line, const Layer& layer, std::size_t pixe
     }
 }
 
+/// A line of the file: the pixel's place, then its numbers in every layer.
+void set_line(
+    fmt::memory_buffer& line, std::span<const Layer> layers, std::size_t x, std::size_t y
+) {
+    line.clear();
+    fmt::format_to(std::back_inserter(line), "{},{}", x, y);
+    const std::size_t pixel = y * static_cast<std::size_t>(layers.front().width) + x;
+    for (const Layer& layer : layers) {
+        append_pixel(line, layer, pixel);
+    }
+    line.push_back('\n');
+}
+
 } // namespace
 
 Result<Done> write_npz(
@@ -67,15 +80,11 @@ Result<Done> write_csv(const std::filesystem::path& path, std::span<const Layer>
     return write_bytes(path, [layers](ByteSink& sink) {
         sink.write(csv_header(layers));
         fmt::memory_buffer line;
-        std::size_t pixel = 0;
-        for (int y = 0; y < layers.front().height; ++y) {
-            for (int x = 0; x < layers.front().width; ++x, ++pixel) {
-                line.clear();
-                fmt::format_to(std::back_inserter(line), "{},{}", x, y);
-                for (const Layer& layer : layers) {
-                    append_pixel(line, layer, pixel);
-                }
-                line.push_back('\n');
+        const auto width = static_cast<std::size_t>(layers.front().width);
+        const auto height = static_cast<std::size_t>(layers.front().height);
+        for (std::size_t y = 0; y < height; ++y) {
+            for (std::size_t x = 0; x < width; ++x) {
+                set_line(line, layers, x, y);
                 sink.write(std::string_view{line.data(), line.size()});
             }
         }

@@ -130,6 +130,7 @@ Result<Layer> make_layer(const trace::Player& player, const std::string& name) {
         return triangle_layer(player, name);
     }
     std::vector<std::string_view> names;
+    names.reserve(known.size());
     for (const LayerName& layer : known) {
         names.push_back(layer.name);
     }

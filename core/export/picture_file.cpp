@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-OIIO::ImageSpec
-make_spec(int width, int height, int channels, OIIO::TypeDesc type, const Attributes& attributes) {
+OIIO::ImageSpec make_spec(
+    int width, int height, int channels, const OIIO::TypeDesc& type, const Attributes& attributes
+) {
     OIIO::ImageSpec spec(width, height, channels, type);
     for (const auto& [name, text] : attributes) {
         spec.attribute(name, text);

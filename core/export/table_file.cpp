@@ -80,6 +80,17 @@ void append_row(
     }
 }
 
+void set_csv_line(fmt::memory_buffer& line, const Table& table, std::size_t row) {
+    line.clear();
+    for (const Column& column : table.columns) {
+        if (line.size() > 0) {
+            line.push_back(',');
+        }
+        append_row(line, column, row, csv);
+    }
+    line.push_back('\n');
+}
+
 std::string csv_header(const Table& table) {
     std::string header;
     for (const Column& column : table.columns) {
@@ -116,14 +127,7 @@ Result<Done> write_csv(const std::filesystem::path& path, const Table& table) {
         sink.write(csv_header(table));
         fmt::memory_buffer line;
         for (std::size_t row = 0; row < table.rows; ++row) {
-            line.clear();
-            for (const Column& column : table.columns) {
-                if (line.size() > 0) {
-                    line.push_back(',');
-                }
-                append_row(line, column, row, csv);
-            }
-            line.push_back('\n');
+            set_csv_line(line, table, row);
             sink.write(std::string_view{line.data(), line.size()});
         }
     });

@@ -60,12 +60,13 @@ std::string flush_to_disk(const fs::path& path) {
     if (file < 0) {
         return system_message(errno);
     }
-    const std::string problem = ::fsync(file) == 0 ? "" : system_message(errno);
+    std::string problem = ::fsync(file) == 0 ? "" : system_message(errno);
     ::close(file);
     return problem;
 }
 
 /// A new file, written piece by piece.
+// NOLINTNEXTLINE(cppcoreguidelines-virtual-class-destructor): it is final
 class FileSink final : public ByteSink {
 public:
     explicit FileSink(const fs::path& path)

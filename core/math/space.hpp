@@ -59,7 +59,7 @@ template <typename Space>
 /// One row of a matrix times a vector: the arithmetic of every transform, in the order it is
 /// executed. Templated on the scalar so that the same code can compute a number or write down its
 /// formula.
-template <typename T>
+template <typename T> // NOLINTNEXTLINE(readability-function-size): a row and a vector
 [[nodiscard]] T row_times_vector(T m0, T m1, T m2, T m3, T x, T y, T z, T w) {
     return ((m0 * x + m1 * y) + m2 * z) + m3 * w;
 }

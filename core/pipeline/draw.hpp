@@ -368,6 +368,7 @@ geometry::TriangleVerdict draw_unclipped(
 
 /// One triangle through every stage after the vertex stage.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
+// NOLINTNEXTLINE(readability-function-size): the story of a triangle stays on one page
 geometry::TriangleVerdict draw_triangle(
     const DrawCall& call,
     std::uint32_t triangle,

@@ -186,6 +186,7 @@ void read_material_name(SceneReader& reader, TableReader& table, Object& object)
         return;
     }
     std::vector<std::string_view> known;
+    known.reserve(materials.size());
     for (const Material& material : materials) {
         known.push_back(material.name);
     }

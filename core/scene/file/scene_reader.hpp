@@ -31,11 +31,11 @@ void apply_assignments(
 void read_settings(SceneReader& reader, const toml::table& table);
 /// An object's own settings: checked against the table of settings, kept as written.
 void read_overrides(SceneReader& reader, const toml::table& table, Object& object);
-void read_camera(SceneReader& reader, const toml::table& table);
-void read_material(SceneReader& reader, const toml::table& table, std::size_t number);
-void read_light(SceneReader& reader, const toml::table& table, std::size_t number);
+void read_camera(SceneReader& reader, const toml::table& toml);
+void read_material(SceneReader& reader, const toml::table& toml, std::size_t number);
+void read_light(SceneReader& reader, const toml::table& toml, std::size_t number);
 /// Materials come first: objects name them.
-void read_object(SceneReader& reader, const toml::table& table, std::size_t number);
+void read_object(SceneReader& reader, const toml::table& toml, std::size_t number);
 
 /// `vertices`, `polygons`, `colors`, `normals`, `uvs`; null with complaints when something is
 /// wrong.

@@ -251,6 +251,7 @@ private:
 /// From the first mesh on OpenMesh complains here instead of on the terminal. Connected once and
 /// for all: its streams leak every target they let go.
 std::ostringstream& complaints_of_openmesh() {
+    // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): so is what it is given to
     static std::ostringstream& text = []() -> std::ostringstream& {
         static std::ostringstream stream;
         omerr().disconnect(std::cerr);

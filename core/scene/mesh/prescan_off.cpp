@@ -96,7 +96,7 @@ private:
     }
 
     /// Colors and texture coordinates; OpenMesh counts them by single spaces.
-    std::optional<Flaw> scan_extras(std::string_view rest) const {
+    [[nodiscard]] std::optional<Flaw> scan_extras(std::string_view rest) const {
         if (rest.find("  ") != std::string_view::npos ||
             rest.find('\t') != std::string_view::npos) {
             return flaw("numbers after the position must be separated by single spaces");

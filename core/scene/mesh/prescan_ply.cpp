@@ -339,7 +339,7 @@ scan_face(NumberStream& numbers, const Element& faces, std::int64_t vertex_count
         if (!count || *count < fewest || *count > static_cast<double>(max_polygon_corners)) {
             return fmt::format("a number of corners from 3 to {} is expected", max_polygon_corners);
         }
-        for (double i = 0.0; i < *count; i += 1.0) {
+        for (int i = 0; i < static_cast<int>(*count); ++i) {
             const auto number = numbers.next(*property.type);
             const bool in_range =
                 number && *number >= 0.0 && *number < static_cast<double>(vertex_count);
