@@ -1,4 +1,5 @@
 // The pipeline strip: every stage with what went in and came out up to the playhead.
+#include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -7,6 +8,8 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace hs::viewer {
 namespace {
@@ -60,6 +63,26 @@ Flow flow_of(trace::Stage stage, const trace::Counters& c, const trace::Recordin
     return {};
 }
 
+/// What a lesson may point at among a stage's counts.
+std::vector<std::string_view> counted_by(trace::Stage stage) {
+    using trace::Stage;
+    switch (stage) {
+    case Stage::vertex: return {"vertices"};
+    case Stage::clip: return {"triangles", "pieces"};
+    case Stage::traverse: return {"visits", "fragments"};
+    case Stage::test: return {"fragments failed"};
+    case Stage::merge: return {"fragments written"};
+    case Stage::application:
+    case Stage::divide:
+    case Stage::viewport:
+    case Stage::cull:
+    case Stage::setup:
+    case Stage::shade: return {};
+    }
+    HS_CHECK(false, "every stage is handled");
+    return {};
+}
+
 struct Cell {
     trace::Stage stage = trace::Stage::application;
     Rect rect;
@@ -90,13 +113,13 @@ void draw_cell(Context& context, const Cell& cell) {
         cell.lit ? hue : theme[Tone::text],
         name
     );
-    draw_text(
-        list,
-        theme.fonts.small_mono,
-        {x, min.y + theme.units(6)},
-        theme[Tone::quiet],
-        shorten(theme.fonts.small_mono, cell.counts, room)
-    );
+    const std::string counts = shorten(theme.fonts.small_mono, cell.counts, room);
+    const ImVec2 at{x, min.y + theme.units(6)};
+    if (points_at_any(context.viewer, counted_by(cell.stage))) {
+        const ImVec2 size = text_size(theme.fonts.small_mono, counts);
+        draw_pointing_frame(list, theme, at, {at.x + size.x, at.y + size.y});
+    }
+    draw_text(list, theme.fonts.small_mono, at, theme[Tone::quiet], counts);
 }
 
 /// Forward first, then backward: a click always goes to the stage if the frame has it.

@@ -1,6 +1,7 @@
 #include "app/viewer/widgets.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace hs::viewer {
 namespace {
@@ -171,6 +172,15 @@ std::string shorten(ImFont* font, std::string_view text, float width) {
         end = next;
     }
     return std::string{text.substr(0, end)} + "…";
+}
+
+std::string fitting(ImFont* font, std::initializer_list<std::string_view> wordings, float width) {
+    for (const std::string_view text : wordings) {
+        if (text_size(font, text).x <= width) {
+            return std::string{text};
+        }
+    }
+    return shorten(font, *std::prev(wordings.end()), width);
 }
 
 std::string shorten_front(ImFont* font, std::string_view text, float width) {

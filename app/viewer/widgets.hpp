@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,6 +66,8 @@ void draw_text(ImDrawList& list, ImFont* font, ImVec2 position, ImU32 color, std
 ImVec2 text_size(ImFont* font, std::string_view text);
 /// The longest beginning that fits into `width`, with "…" where something is missing.
 std::string shorten(ImFont* font, std::string_view text, float width);
+/// The first of several wordings that fits, or the last one shortened.
+std::string fitting(ImFont* font, std::initializer_list<std::string_view> wordings, float width);
 /// The longest end that fits.
 std::string shorten_front(ImFont* font, std::string_view text, float width);
 
