@@ -77,8 +77,7 @@ export_job(const Document& document, ScreenContent content, const std::filesyste
     }
     // The numbers are taken now, for the playhead will move on; the file is written beside
     const std::array names{layer_name(content)};
-    Result<std::vector<exporting::Layer>> layers =
-        exporting::make_layers(document.player(), names);
+    Result<std::vector<exporting::Layer>> layers = exporting::make_layers(document.player(), names);
     if (!layers) {
         return layers.diagnostics();
     }
@@ -89,8 +88,7 @@ export_job(const Document& document, ScreenContent content, const std::filesyste
         if (const Result<Done> written = write(file, shown, attributes); !written) {
             opened.problems = written.diagnostics();
         } else {
-            opened.notice =
-                fmt::format("Wrote {} after {} to {}.", names[0], path, file.string());
+            opened.notice = fmt::format("Wrote {} after {} to {}.", names[0], path, file.string());
         }
         return opened;
     }};

@@ -22,7 +22,8 @@ Draft number_draft(const LessonForm& form) {
 Draft draft_of(const lesson::Question& question, const LessonForm& form) {
     switch (question.kind) {
     case lesson::QuestionKind::value: return number_draft(form);
-    case lesson::QuestionKind::pixels: return {lesson::Value{lesson::make_pixel_set(form.picked)}, ""};
+    case lesson::QuestionKind::pixels:
+        return {lesson::Value{lesson::make_pixel_set(form.picked)}, ""};
     case lesson::QuestionKind::choice:
     case lesson::QuestionKind::pass_fail:
         if (form.choice < 0) {

@@ -6,9 +6,9 @@
 namespace hs::viewer {
 namespace {
 
-constexpr float nearest = 0.05F;       ///< lines are cut this far before the camera
-constexpr float base_distance = 3.2F;  ///< in radii of the content
-constexpr float filled = 0.94F;        ///< of the panel by the content
+constexpr float nearest = 0.05F;      ///< lines are cut this far before the camera
+constexpr float base_distance = 3.2F; ///< in radii of the content
+constexpr float filled = 0.94F;       ///< of the panel by the content
 
 } // namespace
 
@@ -21,8 +21,7 @@ OrbitCamera::OrbitCamera(const SpaceView& view, const Framing& framing)
       sin_pitch_(std::sin(view.pitch)),
       cos_pitch_(std::cos(view.pitch)),
       distance_(base_distance * view.distance),
-      window_middle_{
-          view.area.x + view.area.width * 0.5F, view.area.y + view.area.height * 0.5F} {
+      window_middle_{view.area.x + view.area.width * 0.5F, view.area.y + view.area.height * 0.5F} {
     if (side_) {
         const glm::vec3 size = framing.high - framing.low;
         constexpr float least = 1.0e-6F;

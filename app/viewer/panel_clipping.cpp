@@ -37,7 +37,9 @@ std::string bits(unsigned code, int planes) {
     return text;
 }
 
-void draw_outcodes(const Theme& theme, const trace::TriangleDetail& triangle, int planes) {
+void draw_outcodes(
+    const Theme& theme, const trace::TriangleDetail& triangle, int planes, bool clips
+) {
     std::string header = "    ";
     for (int k = 0; k < planes; ++k) {
         constexpr std::array letters{"N", "F", "L", "R", "B", "T", "U", "V"};
@@ -59,7 +61,9 @@ void draw_outcodes(const Theme& theme, const trace::TriangleDetail& triangle, in
     const auto code = static_cast<geometry::Outcode>(any);
     switch (explain::outcode_verdict(triangle.outcodes)) {
     case OutcodeVerdict::accepted:
-        words(theme, "▲ trivially accepted: “or” is 0, no vertex is outside of any plane", Tone::pass);
+        words(
+            theme, "▲ trivially accepted: “or” is 0, no vertex is outside of any plane", Tone::pass
+        );
         return;
     case OutcodeVerdict::rejected:
         words(
@@ -74,7 +78,11 @@ void draw_outcodes(const Theme& theme, const trace::TriangleDetail& triangle, in
     case OutcodeVerdict::undecided:
         words(
             theme,
-            fmt::format("Undecided: it is clipped by {}, in turn.", explain::plane_names(code))
+            fmt::format(
+                clips ? "Undecided: it is clipped by {}, in turn."
+                      : "Undecided: {} would cut it, but nothing is clipped.",
+                explain::plane_names(code)
+            )
         );
         return;
     }
@@ -126,8 +134,7 @@ public:
             height / ((high - low) * margin), width / (2.0F * std::max(wide, high) * margin)
         );
         origin_ = {
-            corner.x + width * 0.5F,
-            corner.y + height * 0.5F + (high + low) * 0.5F * scale_};
+            corner.x + width * 0.5F, corner.y + height * 0.5F + (high + low) * 0.5F * scale_};
     }
 
     [[nodiscard]] ImVec2 at(float coordinate, float w) const {
@@ -179,17 +186,12 @@ void draw_boundary(
         theme.stage(trace::Stage::clip),
         theme.pixels(2)
     );
-    list.AddLine(
-        drawing.at(-far, 0.0F), drawing.at(far, 0.0F), theme.faded(Tone::quiet, 0.7F)
-    );
-    list.AddLine(
-        drawing.at(0.0F, -far), drawing.at(0.0F, far), theme.faded(Tone::quiet, 0.4F)
-    );
+    list.AddLine(drawing.at(-far, 0.0F), drawing.at(far, 0.0F), theme.faded(Tone::quiet, 0.7F));
+    list.AddLine(drawing.at(0.0F, -far), drawing.at(0.0F, far), theme.faded(Tone::quiet, 0.4F));
     const ImVec2 zero = drawing.at(0.0F, 0.0F);
     ImFont* font = theme.fonts.small_mono;
-    const float y = std::clamp(
-        zero.y, drawing.min().y, drawing.max().y - font->FontSize - theme.pixels(2)
-    );
+    const float y =
+        std::clamp(zero.y, drawing.min().y, drawing.max().y - font->FontSize - theme.pixels(2));
     draw_text(list, font, {drawing.min().x + theme.units(1), y}, theme[Tone::quiet], "w = 0");
 }
 
@@ -216,11 +218,9 @@ void draw_picture(
         const bool inside = math::inside(story.distances[static_cast<std::size_t>(i)]);
         draw_mark(list, at, theme.pixels(4), inside, theme);
         const std::string name = fmt::format("{}", i);
-        const float x =
-            std::min(at.x + theme.units(2), drawing.max().x - text_size(font, name).x);
-        const float y = std::clamp(
-            at.y - font->FontSize, drawing.min().y, drawing.max().y - font->FontSize
-        );
+        const float x = std::min(at.x + theme.units(2), drawing.max().x - text_size(font, name).x);
+        const float y =
+            std::clamp(at.y - font->FontSize, drawing.min().y, drawing.max().y - font->FontSize);
         draw_text(list, font, {x, y}, theme[Tone::text], name);
     }
     for (const explain::ClipCut& cut : story.cuts) {
@@ -261,9 +261,7 @@ void draw_pass(
     );
     small_mono(
         theme,
-        fmt::format(
-            "d = {}", explain::plane_distance(pass.plane, settings.depth_convention)
-        ),
+        fmt::format("d = {}", explain::plane_distance(pass.plane, settings.depth_convention)),
         Tone::quiet
     );
     for (std::size_t i = 0; i < story.distances.size(); ++i) {
@@ -271,7 +269,9 @@ void draw_pass(
         const bool inside = math::inside(d);
         small_mono(
             theme,
-            fmt::format("{}  {} d = {} {}", i, inside ? "▲" : "▼", number(d), inside ? "inside" : "outside"),
+            fmt::format(
+                "{}  {} d = {} {}", i, inside ? "▲" : "▼", number(d), inside ? "inside" : "outside"
+            ),
             inside ? Tone::pass : Tone::fail
         );
     }
@@ -294,9 +294,7 @@ void draw_pass(
     ImGui::Dummy({0.0F, theme.units(2)});
 }
 
-void draw_reasons(
-    const Theme& theme, const trace::TriangleDetail& triangle, bool clipped
-) {
+void draw_reasons(const Theme& theme, const trace::TriangleDetail& triangle, bool clipped) {
     const std::vector<std::string> reasons = explain::reasons_to_clip(triangle);
     if (clipped && reasons.empty()) {
         return;
@@ -329,13 +327,14 @@ void draw_clipping(Context& context) {
         );
         return;
     }
-    const pipeline::DrawCall& call =
-        context.document.recording().frame->calls()[triangle->object];
+    const pipeline::DrawCall& call = context.document.recording().frame->calls()[triangle->object];
     heading(
         theme,
-        fmt::format("Triangle {} of object {} against the view volume", triangle->triangle, triangle->object)
+        fmt::format(
+            "Triangle {} of object {} against the view volume", triangle->triangle, triangle->object
+        )
     );
-    draw_outcodes(theme, *triangle, call.volume.count);
+    draw_outcodes(theme, *triangle, call.volume.count, call.settings.clip_enabled);
     draw_reasons(theme, *triangle, call.settings.clip_enabled);
     const std::vector<ClipPassStory> story = explain::clip_story(*triangle, call.settings);
     if (story.empty()) {
@@ -344,8 +343,7 @@ void draw_clipping(Context& context) {
     heading(theme, "Each plane in turn");
     const trace::Step& step = context.document.player().current();
     for (std::size_t i = 0; i < story.size(); ++i) {
-        const bool lit =
-            step.kind == trace::StepKind::clip_plane && step.plane == story[i].plane;
+        const bool lit = step.kind == trace::StepKind::clip_plane && step.plane == story[i].plane;
         draw_pass(theme, triangle->passes[i], story[i], call.settings, lit);
     }
 }

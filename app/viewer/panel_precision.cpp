@@ -43,7 +43,8 @@ double looked_at(const Context& context, const DepthCurve& curve) {
 /// Drags show their effect on the curve at once; letting go records the frame anew.
 void plane_slider(Context& context, const char* label, bool near_plane) {
     const scene::Projection& projection = context.document.scene().camera.projection;
-    PlanesDraft planes = context.state.planes.value_or(PlanesDraft{projection.near, projection.far});
+    PlanesDraft planes =
+        context.state.planes.value_or(PlanesDraft{projection.near, projection.far});
     float& value = near_plane ? planes.near : planes.far;
     constexpr float nearest = 0.001F;
     constexpr float farthest = 100000.0F;
@@ -75,10 +76,7 @@ void draw_curve(Context& context, const DepthCurve& curve, double looked) {
     const Theme& theme = context.theme;
     const bool logarithmic = context.state.log_distance && curve.near > 0.0;
     const Plot plot{
-        theme,
-        theme.units(44),
-        {curve.near, curve.far, logarithmic},
-        {0.0, 1.0, false}};
+        theme, theme.units(44), {curve.near, curve.far, logarithmic}, {0.0, 1.0, false}};
     constexpr int parts = 16;
     for (int i = 1; i < parts; ++i) {
         const double depth = static_cast<double>(i) / parts;
@@ -207,8 +205,8 @@ void draw_fighting(Context& context) {
 void draw_precision(Context& context) {
     const Theme& theme = context.theme;
     const scene::Settings& settings = context.document.recording().settings();
-    const bool identity = context.document.scene().camera.projection.kind ==
-                          scene::ProjectionKind::identity;
+    const bool identity =
+        context.document.scene().camera.projection.kind == scene::ProjectionKind::identity;
     const DepthCurve curve = shown_curve(context);
     const double looked = looked_at(context, curve);
     heading(theme, "Depth between near and far");

@@ -87,16 +87,12 @@ void draw_rung(const Theme& theme, int number_of_rung, const ProjectionRung& run
     words(theme, fmt::format("{}. {}", number_of_rung, rung.title), Tone::accent);
     caption(theme, rung.idea);
     draw_entries(theme, rung.matrix);
-    const glm::vec4& p = rung.clip;
+    small_mono(theme, fmt::format("M·p = {}", point_text(glm::vec3{rung.clip})), Tone::quiet);
     small_mono(
         theme,
-        fmt::format("M·p = {}, w = {}", point_text(glm::vec3{p}), entry_text(p.w)),
-        Tone::quiet
-    );
-    small_mono(
-        theme,
-        rung.divided ? fmt::format("÷ w = {}", point_text(*rung.divided))
-                     : std::string{"w = 0: no divide"},
+        rung.divided
+            ? fmt::format("÷ w {} = {}", entry_text(rung.clip.w), point_text(*rung.divided))
+            : std::string{"w = 0: no divide"},
         rung.divided ? Tone::text : Tone::fail
     );
     caption(theme, fmt::format("Depth: {}.", rung.survives), Tone::text);
@@ -123,8 +119,7 @@ void draw_ladder(const Theme& theme, const Subject& subject) {
 }
 
 void draw_conventions(const Theme& theme, const Subject& subject) {
-    const auto list =
-        explain::depth_in_conventions(subject.camera, subject.aspect(), subject.eye);
+    const auto list = explain::depth_in_conventions(subject.camera, subject.aspect(), subject.eye);
     if (!list) {
         caption(theme, "w = 0: this point has no depth.", Tone::fail);
         return;
@@ -157,8 +152,7 @@ void draw_conventions(const Theme& theme, const Subject& subject) {
 }
 
 void draw_matrix_entries(const Theme& theme, const Subject& subject) {
-    const auto list =
-        explain::matrix_entries(subject.camera, subject.aspect(), subject.convention);
+    const auto list = explain::matrix_entries(subject.camera, subject.aspect(), subject.convention);
     for (const explain::MatrixEntry& e : list) {
         small_mono(
             theme,
@@ -220,9 +214,7 @@ void draw_similar_triangles(const Theme& theme, const Subject& subject) {
     const ImVec2 point = place(distance, subject.eye.y);
     list.AddLine(place(0.0F, 0.0F), point, theme[Tone::accent], theme.pixels(1.5F));
     list.AddLine(place(distance, 0.0F), point, theme[Tone::axis_y], theme.pixels(1.5F));
-    list.AddLine(
-        place(near, 0.0F), place(near, on_plane), theme[Tone::axis_y], theme.pixels(3)
-    );
+    list.AddLine(place(near, 0.0F), place(near, on_plane), theme[Tone::axis_y], theme.pixels(3));
     list.AddCircleFilled(place(0.0F, 0.0F), theme.pixels(3), theme[Tone::text], 12);
     list.AddCircleFilled(point, theme.pixels(3), theme[Tone::accent], 12);
     ImFont* font = theme.fonts.small_mono;
@@ -252,13 +244,11 @@ struct PathLine {
 };
 
 std::vector<PathLine> path_lines(const Subject& subject, const explain::ByHand& hand) {
-    const ProjectionRung matrix = explain::projection_ladder(
-                                      subject.camera,
-                                      subject.aspect(),
-                                      subject.convention,
-                                      subject.eye
-    )
-                                      .back();
+    const ProjectionRung matrix =
+        explain::projection_ladder(
+            subject.camera, subject.aspect(), subject.convention, subject.eye
+        )
+            .back();
     const explain::FrustumLimits v =
         explain::frustum_limits(subject.camera.projection, subject.aspect());
     const auto viewport = geometry::make_viewport(subject.viewport, subject.convention);
@@ -266,9 +256,7 @@ std::vector<PathLine> path_lines(const Subject& subject, const explain::ByHand& 
     const auto window = geometry::to_window({clip.x, clip.y, clip.z, clip.w}, viewport);
     const bool divides = clip.w != 1.0F;
     return {
-        {"eye",
-         point_text(subject.eye),
-         fmt::format("({}, 1)", point_text(subject.eye))},
+        {"eye", point_text(subject.eye), fmt::format("{}, w = 1", point_text(subject.eye))},
         {divides ? "image plane" : "parallel",
          divides ? fmt::format(
                        "n·x/d = {}\nn·y/d = {}\nz kept aside",
@@ -277,10 +265,7 @@ std::vector<PathLine> path_lines(const Subject& subject, const explain::ByHand& 
                    )
                  : fmt::format("x = {}\ny = {}", number(hand.on_plane.x), number(hand.on_plane.y)),
          fmt::format(
-             "M·p, x = {}\n     y = {}\n     w = {}",
-             number(clip.x),
-             number(clip.y),
-             number(clip.w)
+             "M·p, x = {}\n     y = {}\n     w = {}", number(clip.x), number(clip.y), number(clip.w)
          )},
         {"NDC",
          fmt::format(
@@ -290,9 +275,7 @@ std::vector<PathLine> path_lines(const Subject& subject, const explain::ByHand& 
              number(hand.ndc.x),
              number(hand.ndc.y)
          ),
-         fmt::format(
-             "x/w\n= {}\ny/w\n= {}", number(window.ndc.x), number(window.ndc.y)
-         )},
+         fmt::format("x/w\n= {}\ny/w\n= {}", number(window.ndc.x), number(window.ndc.y))},
         {"raster",
          fmt::format(
              "(x + 1)/2·{} = {}\n(1 − y)/2·{} = {}",

@@ -38,8 +38,7 @@ void draw_side(Context& context, const Rect& rect, SpaceLines& lines) {
     for (const Named<SidePanel>& row : names<SidePanel>()) {
         tabs.push_back({row.name, row.explanation, ""});
     }
-    const int clicked =
-        segments(theme, "side panels", tabs, static_cast<int>(context.state.side));
+    const int clicked = segments(theme, "side panels", tabs, static_cast<int>(context.state.side));
     if (clicked >= 0) {
         context.state.side = static_cast<SidePanel>(clicked);
     }

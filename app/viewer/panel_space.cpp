@@ -34,16 +34,19 @@ void draw_morph_slider(Context& context) {
     SpaceView& view = context.state.space;
     const Theme& theme = context.theme;
     constexpr float last = 2.0F;
-    const char* const from = "eye";
-    const char* const to = "NDC";
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float labels = text_size(theme.fonts.small, from).x + text_size(theme.fonts.small, to).x +
-                         ImGui::CalcTextSize("side").x + 2.0F * ImGui::GetStyle().FramePadding.x +
-                         3.0F * gap;
+    const float button_width =
+        ImGui::CalcTextSize("side").x + 2.0F * ImGui::GetStyle().FramePadding.x + gap;
+    const float ends =
+        text_size(theme.fonts.small, "eye").x + text_size(theme.fonts.small, "NDC").x + 2.0F * gap;
+    const float room = ImGui::GetContentRegionAvail().x - button_width;
+    const bool named_ends = room - ends > theme.units(16);
     ImGui::AlignTextToFramePadding();
-    caption(theme, from);
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(std::max(theme.units(8), ImGui::GetContentRegionAvail().x - labels));
+    if (named_ends) {
+        caption(theme, "eye");
+        ImGui::SameLine();
+    }
+    ImGui::SetNextItemWidth(std::max(theme.units(6), named_ends ? room - ends : room));
     float morph = view.morph;
     if (ImGui::SliderFloat("##morph", &morph, 0.0F, last, "", ImGuiSliderFlags_AlwaysClamp)) {
         view.morph_goal.reset();
@@ -53,8 +56,10 @@ void draw_morph_slider(Context& context) {
     }
     tooltip("Drag: from eye space over clip space (x, y, w) to NDC. All lines stay straight.");
     ImGui::SameLine();
-    caption(theme, to);
-    ImGui::SameLine();
+    if (named_ends) {
+        caption(theme, "NDC");
+        ImGui::SameLine();
+    }
     const char* const tip = "seen exactly from the side: distance to the right, y up";
     if (button(theme, "side", tip, {}, view.side)) {
         view.side = !view.side;
@@ -79,7 +84,7 @@ void take_mouse(SpaceView& view) {
 }
 
 /// What is shown, where the way has led so far, and what is left out.
-std::string note_text(const Context& context, const SpaceLines& lines) {
+std::string note_text(const Context& context, const SpaceLines& lines, float width) {
     const SpaceView& view = context.state.space;
     std::string text{named(view.space).explanation};
     const float part = view.morph - std::floor(view.morph);
@@ -87,6 +92,9 @@ std::string note_text(const Context& context, const SpaceLines& lines) {
         text = view.morph < 1.0F
                    ? fmt::format("x and y scaled by the projection matrix: {:.0f} %", part * 100.0F)
                    : fmt::format("divided by {:.2f} + {:.2f}·w", 1.0F - part, part);
+    }
+    if (width < context.theme.units(60)) {
+        return text; // the drawing needs the room
     }
     if (lines.edges().size() * 2 < lines.all_edges()) {
         text += fmt::format("; {} of {} edges shown", lines.edges().size(), lines.all_edges());
@@ -109,7 +117,7 @@ void draw_space(Context& context, const Rect& rect, SpaceLines& lines) {
     SpaceView& view = context.state.space;
     const float pad = theme.units(3);
     const float width = rect.width - 2.0F * pad;
-    const float footer = height_of_notes(theme, note_text(context, lines), width);
+    const float footer = height_of_notes(theme, note_text(context, lines, width), width);
     const float top = ImGui::GetCursorScreenPos().y;
     view.area = {rect.x + pad, top, width, std::max(8.0F, rect.bottom() - footer - top)};
     take_mouse(view);
@@ -122,7 +130,7 @@ void draw_space(Context& context, const Rect& rect, SpaceLines& lines) {
     draw_spaces_content(context, lines);
     ImGui::PopClipRect();
     ImGui::SetCursorScreenPos({view.area.x, view.area.bottom() + theme.units(1)});
-    caption(theme, note_text(context, lines));
+    caption(theme, note_text(context, lines, width));
 }
 
 } // namespace hs::viewer

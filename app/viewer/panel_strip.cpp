@@ -22,9 +22,8 @@ struct Flow {
     const char* unit_out = "";
 };
 
-/// At most five characters, so that every stage has room: 99 999, then 100k, 12.3M.
-std::string compact(std::uint64_t n) {
-    constexpr std::uint64_t exact_up_to = 99999;
+/// Short enough that every stage has room: exact up to a limit, then 100k, 12.3M.
+std::string compact(std::uint64_t n, std::uint64_t exact_up_to) {
     if (n <= exact_up_to) {
         return fmt::format("{}", n);
     }
@@ -88,6 +87,7 @@ struct Cell {
     Rect rect;
     bool lit = false;
     std::string counts;
+    std::string short_counts; ///< where those do not fit
     std::string tip;
 };
 
@@ -113,7 +113,8 @@ void draw_cell(Context& context, const Cell& cell) {
         cell.lit ? hue : theme[Tone::text],
         name
     );
-    const std::string counts = shorten(theme.fonts.small_mono, cell.counts, room);
+    const std::string counts =
+        fitting(theme.fonts.small_mono, {cell.counts, cell.short_counts}, room);
     const ImVec2 at{x, min.y + theme.units(6)};
     if (points_at_any(context.viewer, counted_by(cell.stage))) {
         const ImVec2 size = text_size(theme.fonts.small_mono, counts);
@@ -154,7 +155,13 @@ void draw_strip(Context& context, const Rect& rect) {
     const float width = rect.width / static_cast<float>(trace::stage_count);
     for (int i = 0; i < trace::stage_count; ++i) {
         const auto stage = static_cast<trace::Stage>(i);
-        Cell cell{.stage = stage, .rect = {}, .lit = false, .counts = "–", .tip = ""};
+        Cell cell{
+            .stage = stage,
+            .rect = {},
+            .lit = false,
+            .counts = "–",
+            .short_counts = "–",
+            .tip = ""};
         const float x0 = static_cast<float>(static_cast<int>(width * static_cast<float>(i)));
         const float x1 = static_cast<float>(static_cast<int>(width * static_cast<float>(i + 1)));
         cell.rect = {rect.x + x0, rect.y, x1 - x0, rect.height};
@@ -162,7 +169,11 @@ void draw_strip(Context& context, const Rect& rect) {
         if (open) {
             const Flow flow = flow_of(stage, counters, context.document.recording());
             cell.lit = trace::stage_of(context.document.player().current().kind) == stage;
-            cell.counts = compact(flow.in) + " → " + compact(flow.out);
+            constexpr std::uint64_t five_digits = 99999;
+            constexpr std::uint64_t three_digits = 999;
+            cell.counts = compact(flow.in, five_digits) + " → " + compact(flow.out, five_digits);
+            cell.short_counts =
+                compact(flow.in, three_digits) + "→" + compact(flow.out, three_digits);
             cell.tip += fmt::format(
                 "\n{} {} → {} {}, up to this step.\nClick to go there.",
                 flow.in,

@@ -75,8 +75,7 @@ Rgba8 triangle_color(std::uint32_t triangle) {
 }
 
 DepthColors::DepthColors(ValueRange range)
-    : range_(range),
-      scale_(range.high > range.low ? 1.0F / (range.high - range.low) : 1.0F) {}
+    : range_(range), scale_(range.high > range.low ? 1.0F / (range.high - range.low) : 1.0F) {}
 
 Rgba8 DepthColors::operator()(const trace::PixelRecord& pixel) const {
     constexpr Rgba8 nothing = 0xFF331F1AU;
@@ -88,8 +87,7 @@ Rgba8 DepthColors::operator()(const trace::PixelRecord& pixel) const {
 }
 
 EdgeColors::EdgeColors(const raster::EdgeFunction& edge, float largest)
-    : edge_(edge),
-      inv_largest_(1.0F / std::max(1.0F, largest)) {
+    : edge_(edge), inv_largest_(1.0F / std::max(1.0F, largest)) {
     const glm::vec4 pale{0.94F, 0.94F, 0.92F, 1.0F};
     const glm::vec4 blue{0.0F, 0.33F, 0.62F, 1.0F};
     const glm::vec4 orange{0.72F, 0.33F, 0.0F, 1.0F};

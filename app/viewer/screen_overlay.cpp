@@ -289,8 +289,9 @@ void draw_ramp(
     ImFont* font = theme.fonts.small_mono;
     const float text_y = rect.y + (rect.height - font->FontSize) * 0.5F;
     draw_text(list, font, {rect.x, text_y}, theme[Tone::text], low);
+    const float texts = text_size(font, low).x + text_size(font, high).x + theme.units(4);
     const float start = rect.x + text_size(font, low).x + theme.units(2);
-    const float width = theme.units(30);
+    const float width = keep_within(rect.width - texts, theme.units(4), theme.units(30));
     constexpr int steps = 32;
     for (int i = 0; i < steps; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(steps - 1);

@@ -82,8 +82,7 @@ void draw_sections(const Scene& scene, const ViewVolume& volume) {
     const ImU32 hue = scene.theme().stage(trace::Stage::clip);
     const ImU32 faint = (hue & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110);
     float last_end = -1.0e9F;
-    for (const float distance :
-         section_distances(volume, scene.lines.interest(), most_sections)) {
+    for (const float distance : section_distances(volume, scene.lines.interest(), most_sections)) {
         const std::array<glm::vec3, 4> corners = volume.section(distance);
         scene.eye_loop(corners, faint, 1.0F);
         const auto foot = scene.view().side ? scene.map.of_eye(corners[0]) : std::nullopt;
@@ -146,8 +145,7 @@ struct DepthAxis {
 
 DepthAxis depth_axis(const Scene& scene) {
     const trace::Recording& recording = scene.context.document.recording();
-    const bool reversed =
-        recording.settings().depth_convention == scene::DepthConvention::reversed;
+    const bool reversed = recording.settings().depth_convention == scene::DepthConvention::reversed;
     switch (scene.view().space) {
     case Space::object:
     case Space::world: return {"z", 1.0F};
@@ -206,8 +204,7 @@ void draw_current_triangle(const Scene& scene, const trace::TriangleDetail& tria
         }
     }
     for (unsigned k = 0; k < 3; ++k) {
-        const auto point =
-            corners[k] ? scene.lines.camera().project(*corners[k]) : std::nullopt;
+        const auto point = corners[k] ? scene.lines.camera().project(*corners[k]) : std::nullopt;
         if (point) {
             const Theme& theme = scene.theme();
             const ImU32 color = theme[tones[k]];

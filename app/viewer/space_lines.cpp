@@ -96,7 +96,7 @@ void SpaceLines::meet(const Document& document) {
         }
     );
     constexpr float behind = 1.2F;
-    constexpr float distant = 2.5F; // a far plane nearer than that is worth showing
+    constexpr float distant = 1.6F; // a far plane nearer than that is worth showing
     const float length = (farthest - volume_->near_distance) * behind;
     const float whole = volume_->far_distance - volume_->near_distance;
     const bool cut = length > 0.0F && length * distant < whole;

@@ -26,15 +26,12 @@ std::optional<glm::vec3> checked(const std::optional<glm::vec3>& point) {
 
 } // namespace
 
-SpaceMap::SpaceMap(
-    const trace::Recording& recording, const SpaceView& view, std::uint32_t object
-)
+SpaceMap::SpaceMap(const trace::Recording& recording, const SpaceView& view, std::uint32_t object)
     : call_(&recording.frame->calls()[object]), space_(view.space), morph_(view.morph) {
     const scene::Settings& settings = recording.settings();
     directions_ = {
         .forward = scene::forward_sign(recording.scene().camera),
-        .ndc_grows_with_distance =
-            settings.depth_convention != scene::DepthConvention::reversed};
+        .ndc_grows_with_distance = settings.depth_convention != scene::DepthConvention::reversed};
     const pipeline::Transforms& t = call_->vertex.transforms;
     if (space_ == Space::world) {
         from_eye_ = glm::inverse(t.view.matrix);
@@ -84,13 +81,16 @@ std::optional<ViewVolume> view_volume(const trace::Recording& recording) {
         recording.frame->calls().front().vertex.transforms.projection.matrix};
     const scene::DepthConvention convention = recording.settings().depth_convention;
     const bool reversed = convention == scene::DepthConvention::reversed;
-    const double near_z = convention == scene::DepthConvention::opengl ? -1.0 : reversed ? 1.0 : 0.0;
+    const double near_z = convention == scene::DepthConvention::opengl ? -1.0
+                          : reversed                                   ? 1.0
+                                                                       : 0.0;
     const double far_z = reversed ? 0.0 : 1.0;
     if (glm::determinant(projection) == 0.0) {
         return std::nullopt;
     }
     const glm::dmat4 back = glm::inverse(projection);
-    constexpr std::array<glm::dvec2, 4> square{{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
+    constexpr std::array<glm::dvec2, 4> square{
+        {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
     ViewVolume volume;
     for (unsigned i = 0; i < 4; ++i) {
         const glm::dvec4 near = back * glm::dvec4{square[i], near_z, 1.0};

@@ -53,7 +53,8 @@ bool button(
 );
 void tooltip(std::string_view text);
 
-/// One of several, side by side, wrapping to the next line. Returns the one clicked, or −1.
+/// One of several, side by side, wrapping to the next line; a list to drop down where that would
+/// take more than two lines. Returns the one clicked, or −1.
 struct Segment {
     std::string_view label;
     std::string_view tip;

@@ -25,8 +25,7 @@ std::string plane_names(geometry::Outcode outcode) {
     return text;
 }
 
-std::string_view
-plane_distance(geometry::ClipPlane plane, scene::DepthConvention convention) {
+std::string_view plane_distance(geometry::ClipPlane plane, scene::DepthConvention convention) {
     const bool zero_to_one = convention != scene::DepthConvention::opengl;
     const bool reversed = convention == scene::DepthConvention::reversed;
     switch (plane) {
@@ -85,7 +84,8 @@ std::vector<std::string> reasons_to_clip(const trace::TriangleDetail& triangle) 
         const math::ClipPosition& clip = triangle.corners[k].work.clip;
         if (clip.w == 0.0F) {
             reasons.push_back(fmt::format(
-                "v{} has w = 0: it lies in the plane through the eye, and dividing by 0 gives it no "
+                "v{} has w = 0: it lies in the plane through the eye, and dividing by 0 gives it "
+                "no "
                 "place.",
                 k
             ));

@@ -22,8 +22,7 @@ OutcodeVerdict outcode_verdict(const std::array<geometry::Outcode, 3>& outcodes)
 std::string plane_names(geometry::Outcode outcode);
 
 /// The distance to a plane as a formula: "w + x".
-std::string_view
-plane_distance(geometry::ClipPlane plane, scene::DepthConvention convention);
+std::string_view plane_distance(geometry::ClipPlane plane, scene::DepthConvention convention);
 
 /// An edge that a plane cuts: from its inside vertex to its outside vertex.
 struct ClipCut {
@@ -44,8 +43,8 @@ struct ClipPassStory {
 std::vector<ClipPassStory>
 clip_story(const trace::TriangleDetail& triangle, const scene::Settings& settings);
 
-/// Why this triangle must be clipped before the divide, a sentence per vertex that lies at or behind
-/// the eye; empty when no vertex does.
+/// Why this triangle must be clipped before the divide, a sentence per vertex that lies at or
+/// behind the eye; empty when no vertex does.
 std::vector<std::string> reasons_to_clip(const trace::TriangleDetail& triangle);
 
 } // namespace hs::explain

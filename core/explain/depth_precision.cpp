@@ -43,12 +43,26 @@ double depth_step(double depth, scene::DepthFormat format) {
     return 0.0;
 }
 
+namespace {
+
+/// Depth is computed as A + B/d in float32, where A is what it tends to: half a unit in A's last
+/// place is lost, however finely the buffer could store the result. Reversed depth tends to
+/// almost 0.
+double computing_error(const DepthCurve& curve) {
+    constexpr double half_unit = 1.0 / 16777216.0;
+    const double tends_to =
+        curve.reversed && curve.perspective ? curve.near / (curve.far - curve.near) : 1.0;
+    return half_unit * tends_to;
+}
+
+} // namespace
+
 double resolved_distance(const DepthCurve& curve, double distance, scene::DepthFormat format) {
     const double depth = curve.depth(distance);
-    const double slope = curve.perspective
-                             ? curve.near * curve.far / (curve.far - curve.near) / (distance * distance)
-                             : 1.0 / (curve.far - curve.near);
-    return depth_step(depth, format) / slope;
+    const double slope = curve.perspective ? curve.near * curve.far / (curve.far - curve.near) /
+                                                 (distance * distance)
+                                           : 1.0 / (curve.far - curve.near);
+    return std::max(depth_step(depth, format), computing_error(curve)) / slope;
 }
 
 double distance_of_half(const DepthCurve& curve) {
@@ -87,8 +101,7 @@ std::vector<PixelPos> fighting_pixels(const trace::Recording& recording) {
         for (int x = image.x0; x < image.x1; ++x) {
             const Nearest& here = nearest[index({x, y})];
             const double depth = std::fabs(static_cast<double>(here.first));
-            const double apart =
-                static_cast<double>(here.second) - static_cast<double>(here.first);
+            const double apart = static_cast<double>(here.second) - static_cast<double>(here.first);
             if (std::isfinite(apart) && apart <= steps * depth_step(depth, settings.depth_format)) {
                 pixels.push_back({x, y});
             }

@@ -16,8 +16,7 @@ bool has_eye(ProjectionKind kind) {
     return kind == ProjectionKind::perspective || kind == ProjectionKind::frustum;
 }
 
-ProjectionRung
-apply(ProjectionRung rung, const glm::mat4& matrix, const glm::vec3& eye_point) {
+ProjectionRung apply(ProjectionRung rung, const glm::mat4& matrix, const glm::vec3& eye_point) {
     rung.matrix = matrix;
     rung.clip = matrix * glm::vec4{eye_point, 1.0F};
     if (rung.clip.w != 0.0F) {
@@ -172,8 +171,7 @@ void add_parallel_entries(
         fmt::format("2 / ({} − {})", written(v.top), written(v.bottom)),
         "the same for its height"
     ));
-    const std::string numbers =
-        fmt::format("n = {}, f = {}", written(v.near), written(v.far));
+    const std::string numbers = fmt::format("n = {}, f = {}", written(v.near), written(v.far));
     list.push_back(entry(m, 2, 2, "Δz_ndc / (f − n)", numbers, "depth in equal steps"));
     list.push_back(
         entry(m, 2, 3, "so that the near plane meets its end", numbers, "where depth starts")
@@ -253,9 +251,8 @@ FrustumLimits frustum_limits(const scene::Projection& p, float aspect) {
     return v;
 }
 
-std::vector<MatrixEntry> matrix_entries(
-    const scene::Camera& camera, float aspect, scene::DepthConvention convention
-) {
+std::vector<MatrixEntry>
+matrix_entries(const scene::Camera& camera, float aspect, scene::DepthConvention convention) {
     const glm::mat4 m = scene::projection_transform(camera, aspect, convention).matrix;
     const FrustumLimits limits = frustum_limits(camera.projection, aspect);
     std::vector<MatrixEntry> list;
@@ -293,9 +290,8 @@ depth_in_conventions(const scene::Camera& camera, float aspect, const glm::vec3&
     return list;
 }
 
-std::optional<ByHand> project_by_hand(
-    const scene::Camera& camera, int width, int height, const glm::vec3& eye_point
-) {
+std::optional<ByHand>
+project_by_hand(const scene::Camera& camera, int width, int height, const glm::vec3& eye_point) {
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     const FrustumLimits v = frustum_limits(camera.projection, aspect);
     ByHand path;

@@ -56,9 +56,8 @@ struct MatrixEntry {
     std::string meaning;
 };
 /// Row by row. Empty for an identity projection.
-std::vector<MatrixEntry> matrix_entries(
-    const scene::Camera& camera, float aspect, scene::DepthConvention convention
-);
+std::vector<MatrixEntry>
+matrix_entries(const scene::Camera& camera, float aspect, scene::DepthConvention convention);
 
 /// What one convention makes of a point's depth.
 struct ConventionDepth {
@@ -82,8 +81,7 @@ struct ByHand {
     glm::vec2 raster{0.0F}; ///< y down
 };
 /// Empty at and behind the eye.
-std::optional<ByHand> project_by_hand(
-    const scene::Camera& camera, int width, int height, const glm::vec3& eye_point
-);
+std::optional<ByHand>
+project_by_hand(const scene::Camera& camera, int width, int height, const glm::vec3& eye_point);
 
 } // namespace hs::explain

@@ -5,9 +5,8 @@
 
 namespace hs::explain {
 
-std::optional<glm::vec3> morphed(
-    const glm::vec4& eye, const glm::vec4& clip, const DepthDirections& directions, float at
-) {
+std::optional<glm::vec3>
+morphed(const glm::vec4& eye, const glm::vec4& clip, const DepthDirections& directions, float at) {
     const glm::vec3 in_eye{eye.x, eye.y, -directions.forward * eye.z};
     const glm::vec3 in_clip{clip.x, clip.y, -clip.w};
     if (at <= 1.0F) {

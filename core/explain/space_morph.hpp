@@ -19,14 +19,13 @@ namespace hs::explain {
 
 /// Which way depth runs in the spaces of a frame.
 struct DepthDirections {
-    float forward = -1.0F;                ///< the sign of eye-space z in front of the eye
-    bool ndc_grows_with_distance = true;  ///< false: reversed
+    float forward = -1.0F;               ///< the sign of eye-space z in front of the eye
+    bool ndc_grows_with_distance = true; ///< false: reversed
 };
 
 /// A point on the way: 0 in eye space, 1 in clip space as (x, y, −w), 2 in NDC. `eye` has w = 1.
 /// Exact at 0, 1 and 2. Empty where the point has no place: behind the eye after the divide.
-std::optional<glm::vec3> morphed(
-    const glm::vec4& eye, const glm::vec4& clip, const DepthDirections& directions, float at
-);
+std::optional<glm::vec3>
+morphed(const glm::vec4& eye, const glm::vec4& clip, const DepthDirections& directions, float at);
 
 } // namespace hs::explain

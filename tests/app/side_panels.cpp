@@ -51,11 +51,11 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
         seen.push_back(window->state().side);
         window->key(Key::s);
     }
-    CHECK(seen == std::vector{
-                      SidePanel::space,
-                      SidePanel::projection,
-                      SidePanel::precision,
-                      SidePanel::clipping});
+    CHECK(
+        seen ==
+        std::vector{
+            SidePanel::space, SidePanel::projection, SidePanel::precision, SidePanel::clipping}
+    );
     CHECK(window->state().side == SidePanel::space);
     window->key(Key::d, true);
     CHECK(window->viewer.layout().screen.width > beside);
@@ -63,17 +63,23 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
 
 TEST_CASE("no side panel cuts its text, at any size, theme and camera", "[app]") {
     for (const auto& [width, height, type] :
-         {std::tuple{1280, 720, 1.0F}, std::tuple{1920, 1080, 1.0F}, std::tuple{1920, 1080, 1.5F}}) {
+         {std::tuple{1280, 720, 1.0F},
+          std::tuple{1920, 1080, 1.0F},
+          std::tuple{1920, 1080, 1.5F}}) {
         for (const std::string_view scene : {near_and_far, test::two_layers}) {
             const auto window = with(scene, width, height);
             window->viewer.state().presentation = type;
             for (const char* const step :
-                 {"start", "vertex stage / object 0 / vertex 1", "object 0 / triangle 0 / outcodes"}) {
+                 {"start",
+                  "vertex stage / object 0 / vertex 1",
+                  "object 0 / triangle 0 / outcodes"}) {
                 REQUIRE_FALSE(window->viewer.go_to(step));
                 for (int i = 0; i < viewer::side_panel_count; ++i) {
                     window->viewer.state().side = static_cast<SidePanel>(i);
                     window->settle();
-                    INFO(width << " × " << height << " × " << type << " at " << step << " in " << i);
+                    INFO(
+                        width << " × " << height << " × " << type << " at " << step << " in " << i
+                    );
                     for (const host::CutGlyph& cut : window->host.cut_text()) {
                         FAIL_CHECK("cut at " << cut.x << ", " << cut.y);
                     }
@@ -89,11 +95,11 @@ TEST_CASE("another near plane records the frame anew and ends the fighting", "[a
     window->settle();
     CHECK(window->viewer.document().fighting_pixels().size() > 100);
     scene::Camera camera = window->viewer.document().scene().camera;
-    camera.projection.near = 2.5F;
+    camera.projection.near = 50.0F;
     camera.projection.far = 101.0F;
     window->viewer.change_camera(camera);
     window->settle();
-    CHECK(window->viewer.document().scene().camera.projection.near == 2.5F);
+    CHECK(window->viewer.document().scene().camera.projection.near == 50.0F);
     CHECK(window->viewer.document().fighting_pixels().size() < 10);
 }
 
@@ -103,7 +109,7 @@ TEST_CASE("dragging a plane's slider shows at once and records when let go", "[a
     window->settle();
     const trace::Recording* before = &window->viewer.document().recording();
     const viewer::Rect side = window->viewer.layout().side;
-    const ImVec2 far_slider{side.x + side.width * 0.5F, side.y + 128.0F};
+    const ImVec2 far_slider{side.x + side.width * 0.5F, side.y + 113.0F};
     window->host.move_mouse(far_slider.x, far_slider.y);
     window->host.press(host::MouseButton::left);
     window->settle();

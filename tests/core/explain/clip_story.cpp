@@ -13,11 +13,12 @@ using explain::OutcodeVerdict;
 namespace {
 
 trace::TriangleDetail first_triangle(std::string_view vertices, std::string_view settings = "") {
-    const std::string text = std::string{"[settings]\nsize = [16, 16]\n"} + std::string{settings} +
-                             "\n[camera]\nprojection = { kind = \"identity\" }\n[[object]]\n"
-                             "name = \"one\"\nvertices = " +
-                             std::string{vertices} +
-                             "\npolygons = [[0, 1, 2]]\ncolors = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
+    const std::string text =
+        std::string{"[settings]\nsize = [16, 16]\n"} + std::string{settings} +
+        "\n[camera]\nprojection = { kind = \"identity\" }\n[[object]]\n"
+        "name = \"one\"\nvertices = " +
+        std::string{vertices} +
+        "\npolygons = [[0, 1, 2]]\ncolors = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
     const Result<scene::Scene> scene = scene::parse_scene(text, "test.toml");
     REQUIRE(scene);
     const auto recording = trace::record(std::make_shared<const scene::Scene>(*scene));
@@ -39,17 +40,15 @@ TEST_CASE("outcodes accept, reject, or leave it to clipping", "[explain]") {
 }
 
 TEST_CASE("planes are named in the order they clip", "[explain]") {
-    const trace::TriangleDetail triangle =
-        first_triangle("[[0, 0, 0], [3, 0, 0], [0, 3, 0]]");
-    const unsigned any = static_cast<unsigned>(triangle.outcodes[0]) | triangle.outcodes[1] |
-                         triangle.outcodes[2];
+    const trace::TriangleDetail triangle = first_triangle("[[0, 0, 0], [3, 0, 0], [0, 3, 0]]");
+    const unsigned any =
+        static_cast<unsigned>(triangle.outcodes[0]) | triangle.outcodes[1] | triangle.outcodes[2];
     CHECK(explain::plane_names(static_cast<geometry::Outcode>(any)) == "right, top");
     CHECK(explain::plane_names(0).empty());
 }
 
 TEST_CASE("a cut lies where the distance is 0, and its attributes with it", "[explain]") {
-    const trace::TriangleDetail triangle =
-        first_triangle("[[0, 0, 0], [2, 0, 0], [0, 0.5, 0]]");
+    const trace::TriangleDetail triangle = first_triangle("[[0, 0, 0], [2, 0, 0], [0, 0.5, 0]]");
     scene::Settings settings;
     const auto story = explain::clip_story(triangle, settings);
     REQUIRE(story.size() == 1);

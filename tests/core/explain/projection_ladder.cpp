@@ -99,8 +99,7 @@ TEST_CASE("each rung leaves of depth what it says", "[explain]") {
         for (int i = 0; i < 100; ++i) {
             const glm::vec3 p = in_front(c, random);
             const float d = scene::forward_sign(c) * p.z;
-            const auto ladder =
-                explain::projection_ladder(c, aspect, DepthConvention::opengl, p);
+            const auto ladder = explain::projection_ladder(c, aspect, DepthConvention::opengl, p);
             REQUIRE(ladder.size() == 3);
             for (const explain::ProjectionRung& rung : ladder) {
                 REQUIRE(rung.divided);
@@ -172,8 +171,12 @@ TEST_CASE("the long way by hand ends where the matrix does", "[explain]") {
                 const glm::vec3 ndc = ladder.back().divided.value();
                 CHECK(hand->ndc.x == Approx(ndc.x).epsilon(1.0e-4).margin(1.0e-5));
                 CHECK(hand->ndc.y == Approx(ndc.y).epsilon(1.0e-4).margin(1.0e-5));
-                CHECK(hand->raster.x == Approx((ndc.x + 1.0F) * 150.0F).epsilon(1.0e-4).margin(0.01));
-                CHECK(hand->raster.y == Approx((1.0F - ndc.y) * 100.0F).epsilon(1.0e-4).margin(0.01));
+                CHECK(
+                    hand->raster.x == Approx((ndc.x + 1.0F) * 150.0F).epsilon(1.0e-4).margin(0.01)
+                );
+                CHECK(
+                    hand->raster.y == Approx((1.0F - ndc.y) * 100.0F).epsilon(1.0e-4).margin(0.01)
+                );
             }
         }
     }
@@ -190,7 +193,8 @@ TEST_CASE("every entry that is not 0 is explained, with the value it has", "[exp
             for (const Forward forward : {Forward::minus_z, Forward::plus_z}) {
                 const scene::Camera c = camera(kind, forward);
                 glm::mat4 m = scene::projection_transform(c, aspect, convention).matrix;
-                for (const explain::MatrixEntry& e : explain::matrix_entries(c, aspect, convention)) {
+                for (const explain::MatrixEntry& e :
+                     explain::matrix_entries(c, aspect, convention)) {
                     CHECK(e.value == m[e.column][e.row]);
                     CHECK_FALSE(e.symbolic.empty());
                     CHECK_FALSE(e.meaning.empty());

@@ -19,8 +19,7 @@ struct Case {
         return scene::projection_transform(camera, 1.5F, convention).matrix;
     }
     [[nodiscard]] explain::DepthDirections directions() const {
-        return {
-            scene::forward_sign(camera), convention != scene::DepthConvention::reversed};
+        return {scene::forward_sign(camera), convention != scene::DepthConvention::reversed};
     }
     [[nodiscard]] std::optional<glm::vec3> at(const glm::vec3& eye, float place) const {
         const glm::vec4 point{eye, 1.0F};
