@@ -5,13 +5,18 @@
 #include "app/lesson/lesson.hpp"
 #include "app/lesson/library.hpp"
 #include "app/lesson/session.hpp"
+#include "app/viewer/open_job.hpp"
 #include "app/viewer/viewer.hpp"
+#include "core/base/spelling.hpp"
 #include "core/export/picture_file.hpp"
 #include "core/export/whole_file.hpp"
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 namespace hs::command {
 namespace {
@@ -20,6 +25,12 @@ struct Options {
     std::filesystem::path file;
     std::string at;
     bool all = false;
+    std::vector<std::string> views;
+    std::string panel = "unchanged";
+    std::optional<float> morph;
+    bool side = false;
+    bool light = false;
+    bool large = false;
     std::filesystem::path out;
 };
 
@@ -37,6 +48,44 @@ Result<Done> open_in(
     if (!viewer.state().problems.empty()) {
         return viewer.state().problems;
     }
+    return done;
+}
+
+/// A name of an enumeration; what else there is where it is none.
+template <typename Enum>
+Result<Enum> read_name(std::string_view option, const std::string& text) {
+    if (const std::optional<Enum> value = parse_name<Enum>(text)) {
+        return *value;
+    }
+    std::vector<std::string_view> known;
+    for (const Named<Enum>& row : names<Enum>()) {
+        known.push_back(row.name);
+    }
+    return Diagnostic{
+        .file = std::string{option},
+        .message = fmt::format("\"{}\" is not one of {}", text, list_of_choices(known))};
+}
+
+/// What the window is to show, in the words that lessons use.
+Result<Done> arrange(viewer::State& state, const Options& options) {
+    for (const std::string& name : options.views) {
+        const Result<lesson::View> view = read_name<lesson::View>("--view", name);
+        if (!view) {
+            return view.diagnostics();
+        }
+        viewer::show_view(*view, state);
+    }
+    const Result<lesson::Panel> panel = read_name<lesson::Panel>("--panel", options.panel);
+    if (!panel) {
+        return panel.diagnostics();
+    }
+    viewer::show_panel(*panel, state);
+    if (options.morph) {
+        viewer::set_morph(state.space, *options.morph);
+    }
+    state.space.side = options.side;
+    state.theme = options.light ? viewer::ThemeKind::light : viewer::ThemeKind::dark;
+    state.presentation = options.large ? viewer::presentation_factor : 1.0F;
     return done;
 }
 
@@ -103,6 +152,9 @@ Result<Done> shoot_step(
     if (const auto complaint = options.at.empty() ? std::nullopt : viewer.go_to(options.at)) {
         return Diagnostic{.file = "--at", .message = *complaint};
     }
+    if (Result<Done> arranged = arrange(viewer.state(), options); !arranged) {
+        return arranged;
+    }
     const exporting::Attributes attributes =
         viewer.document().is_open() ? exporting::attributes_of(viewer.document().player())
                                     : exporting::Attributes{};
@@ -141,6 +193,14 @@ Command add_shot(CLI::App& program, const Common& common) {
                 "  halfspace shot lessons/01-one-triangle --all -o pictures");
     app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--at", options->at, at_help);
+    app->add_option(
+        "--view", options->views, "what a lesson's view names: depth, ndc, clipping …; repeatable"
+    );
+    app->add_option("--panel", options->panel, "the inspector's tab, as in lessons");
+    app->add_option("--morph", options->morph, "space view between 0 (eye), 1 (clip) and 2 (NDC)");
+    app->add_flag("--side", options->side, "space view seen from the side");
+    app->add_flag("--light", options->light, "light colors, for print and projectors");
+    app->add_flag("--large", options->large, "large type for the lecture hall");
     app->add_flag("--all", options->all, "a picture of every step of a lesson, into a folder");
     app->add_option(
            "-o,--output",

@@ -191,7 +191,7 @@ void HeadlessHost::frame(viewer::Viewer& viewer, float seconds) {
 void HeadlessHost::settle(viewer::Viewer& viewer) {
     constexpr int frames_to_settle = 3; // ImGui sizes windows from their last frame's content
     for (int quiet = 0; quiet < frames_to_settle; ++quiet) {
-        if (!events_.empty()) {
+        if (!events_.empty() || viewer.moving()) {
             quiet = 0;
         }
         frame(viewer);

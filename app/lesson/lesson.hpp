@@ -103,6 +103,9 @@ enum class View : std::uint8_t {
     eye,
     clip,
     ndc,
+    projection,
+    precision,
+    clipping,
 };
 
 /// Which inspector to bring to the front.

@@ -19,7 +19,7 @@ std::span<const Named<lesson::QuestionKind>> names<lesson::QuestionKind>() {
 template <>
 std::span<const Named<lesson::View>> names<lesson::View>() {
     using lesson::View;
-    static constexpr std::array<Named<View>, 15> table{{
+    static constexpr std::array<Named<View>, 18> table{{
         {View::unchanged, "unchanged", "as it was"},
         {View::color, "color", "the color buffer"},
         {View::depth, "depth", "the depth buffer"},
@@ -35,6 +35,9 @@ std::span<const Named<lesson::View>> names<lesson::View>() {
         {View::eye, "eye", "the scene as seen from the eye's place"},
         {View::clip, "clip", "the scene before the divide"},
         {View::ndc, "ndc", "the scene in the cube of NDC"},
+        {View::projection, "projection", "what the projection matrix does to one point"},
+        {View::precision, "precision", "how depth values are spread"},
+        {View::clipping, "clipping", "the triangle against each clip plane"},
     }};
     return table;
 }

@@ -18,13 +18,15 @@ class Session;
 
 namespace hs::viewer {
 
-/// What a job brings back. Either problems, or a recording, or a lesson (which brings its own).
+/// What a job brings back. Either problems, or a recording, or a lesson (which brings its own), or
+/// only a notice that something was written.
 struct Opened {
     std::filesystem::path file; ///< empty: the settings of the open scene were changed
     std::shared_ptr<const trace::Recording> recording;
     std::shared_ptr<lesson::Session> session;
     std::string at; ///< the step path to stand on; "" for the end
     Diagnostics problems;
+    std::string notice;
     bool cancelled = false;
 };
 

@@ -1,13 +1,38 @@
 #include "app/viewer/document.hpp"
 
+#include "core/explain/depth_precision.hpp"
 #include "core/explain/sentence.hpp"
 
+#include <algorithm>
+
 namespace hs::viewer {
+namespace {
+
+PixelRanges pixel_ranges(const trace::Recording& recording) {
+    PixelRanges ranges;
+    ValueRange depth{2.0F, -1.0F};
+    recording.final_pixels.for_each([&](PixelPos, const trace::PixelRecord& pixel) {
+        ranges.most_overdraw = std::max(ranges.most_overdraw, pixel.overdraw);
+        ranges.most_complexity = std::max(ranges.most_complexity, pixel.complexity);
+        if (pixel.triangle != trace::no_triangle) {
+            depth.low = std::min(depth.low, pixel.depth);
+            depth.high = std::max(depth.high, pixel.depth);
+        }
+    });
+    if (depth.low <= depth.high) {
+        ranges.depth = depth;
+    }
+    return ranges;
+}
+
+} // namespace
 
 void Document::show(std::shared_ptr<const trace::Recording> recording) {
     player_ = std::make_unique<trace::Player>(std::move(recording));
+    ranges_ = pixel_ranges(player_->recording());
     ++revision_;
     history_.reset();
+    fighting_.reset();
     sentence_step_.reset();
 }
 
@@ -15,6 +40,7 @@ void Document::close() {
     player_.reset();
     ++revision_;
     history_.reset();
+    fighting_.reset();
     sentence_step_.reset();
 }
 
@@ -44,6 +70,15 @@ const trace::PieceDetail* Document::piece_detail() const {
     return &triangle->pieces[piece < triangle->pieces.size() ? piece : 0];
 }
 
+const trace::VertexDetail* Document::vertex_detail(int corner) const {
+    if (player_->current().in_vertex_stage()) {
+        const trace::StepDetail& detail = player_->detail();
+        return detail.vertex ? &*detail.vertex : nullptr;
+    }
+    const trace::TriangleDetail* triangle = triangle_detail();
+    return triangle == nullptr ? nullptr : &triangle->corners[static_cast<std::size_t>(corner)];
+}
+
 const scene::Settings& Document::settings() const {
     const trace::Step& step = player_->current();
     if (step.in_triangle() || step.in_vertex_stage()) {
@@ -57,6 +92,13 @@ const trace::PixelHistory& Document::history(PixelPos pixel) {
         history_ = trace::pixel_history(recording(), pixel);
     }
     return *history_;
+}
+
+const std::vector<PixelPos>& Document::fighting_pixels() {
+    if (!fighting_) {
+        fighting_ = explain::fighting_pixels(recording());
+    }
+    return *fighting_;
 }
 
 const std::string& Document::sentence() {

@@ -1,15 +1,25 @@
 // What is open: a recorded frame with a playhead on it, and what is cached about it.
 #pragma once
 
+#include "app/viewer/screen_colors.hpp"
 #include "core/trace/history.hpp"
 #include "core/trace/player.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hs::viewer {
+
+/// What the pixels of the finished frame span, so that colors keep their meaning while stepping.
+struct PixelRanges {
+    ValueRange depth; ///< of what was drawn
+    std::uint16_t most_overdraw = 1;
+    std::uint16_t most_complexity = 1;
+};
 
 class Document {
 public:
@@ -27,17 +37,24 @@ public:
     /// Grows with every recording shown, so that caches know when they are stale.
     [[nodiscard]] unsigned revision() const { return revision_; }
 
+    [[nodiscard]] const PixelRanges& ranges() const { return ranges_; }
+
     /// The triangle the current step belongs to, over the whole frame.
     [[nodiscard]] std::optional<std::uint32_t> current_triangle() const;
     /// Its reasoning, or null.
     [[nodiscard]] const trace::TriangleDetail* triangle_detail() const;
     /// The piece the current step belongs to, or the first; null where there is none.
     [[nodiscard]] const trace::PieceDetail* piece_detail() const;
+    /// The vertex the current step is about, or a corner of its triangle; null where there is none.
+    [[nodiscard]] const trace::VertexDetail* vertex_detail(int corner) const;
     /// The settings of the current step's object; the frame's outside of objects.
     [[nodiscard]] const scene::Settings& settings() const;
 
     /// The whole history of a pixel, kept until another pixel is asked for.
     const trace::PixelHistory& history(PixelPos pixel);
+
+    /// Where rounding of depth decides who is seen; found on first use.
+    const std::vector<PixelPos>& fighting_pixels();
 
     /// The sentence about the current step, kept until the playhead moves.
     const std::string& sentence();
@@ -45,7 +62,9 @@ public:
 private:
     std::unique_ptr<trace::Player> player_;
     unsigned revision_ = 0;
+    PixelRanges ranges_;
     std::optional<trace::PixelHistory> history_;
+    std::optional<std::vector<PixelPos>> fighting_;
     std::string sentence_;
     std::optional<trace::StepId> sentence_step_;
 };

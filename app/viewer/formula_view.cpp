@@ -1,5 +1,6 @@
 #include "app/viewer/formula_view.hpp"
 
+#include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/widgets.hpp"
 #include "core/explain/numbers.hpp"
 
@@ -7,7 +8,8 @@
 
 namespace hs::viewer {
 
-void draw_formula(const Theme& theme, const explain::Formula& formula, bool lit) {
+void draw_formula(const Context& context, const explain::Formula& formula, bool lit) {
+    const Theme& theme = context.theme;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.ChannelsSplit(2);
@@ -37,6 +39,9 @@ void draw_formula(const Theme& theme, const explain::Formula& formula, bool lit)
             {x, start.y}, {x + theme.pixels(3), ImGui::GetItemRectMax().y}, theme[Tone::accent]
         );
     }
+    if (points_at_any(context.viewer, formula.quantities)) {
+        draw_pointing_frame(list, theme, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    }
     list.ChannelsMerge();
     ImGui::Dummy({0.0F, theme.units(1)});
 }
@@ -56,9 +61,9 @@ void draw_matrix(const Theme& theme, std::string_view title, const glm::mat4& ma
     }
 }
 
-void draw_step_formulas(const Theme& theme, std::span<const explain::Formula> formulas) {
+void draw_step_formulas(const Context& context, std::span<const explain::Formula> formulas) {
     for (const explain::Formula& formula : formulas) {
-        draw_formula(theme, formula, true);
+        draw_formula(context, formula, true);
     }
 }
 

@@ -1,7 +1,7 @@
 // Formulas as the inspector draws them.
 #pragma once
 
-#include "app/viewer/theme.hpp"
+#include "app/viewer/panels.hpp"
 #include "core/explain/formulas.hpp"
 
 #include <glm/mat4x4.hpp>
@@ -11,13 +11,14 @@
 
 namespace hs::viewer {
 
-/// Title, symbols, numbers, value; `lit` marks what this step computed.
-void draw_formula(const Theme& theme, const explain::Formula& formula, bool lit);
+/// Title, symbols, numbers, value; `lit` marks what this step computed. What the lesson points at
+/// is framed.
+void draw_formula(const Context& context, const explain::Formula& formula, bool lit);
 
 /// A matrix as four aligned rows.
 void draw_matrix(const Theme& theme, std::string_view title, const glm::mat4& matrix);
 
 /// The formulas of the current step, marked; nothing when it computes none.
-void draw_step_formulas(const Theme& theme, std::span<const explain::Formula> formulas);
+void draw_step_formulas(const Context& context, std::span<const explain::Formula> formulas);
 
 } // namespace hs::viewer

@@ -1,5 +1,6 @@
 // The inspector's tabs for a fragment, for a pixel's history and for the state it ran under.
 #include "app/viewer/formula_view.hpp"
+#include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -36,7 +37,7 @@ void draw_visit(Context& context, const trace::VisitDetail& visit) {
     const bool here = context.document.player().current().kind == trace::StepKind::edge_test;
     if (piece != nullptr && piece->setup) {
         for (const explain::Formula& formula : explain::edge_formulas(*piece->setup, visit)) {
-            draw_formula(context.theme, formula, here);
+            draw_formula(context, formula, here);
         }
     }
 }
@@ -57,11 +58,13 @@ void draw_life(Context& context, const trace::FragmentDetail& fragment) {
     const trace::Recording& recording = context.document.recording();
     const bool written = fragment.fate == fragment::FragmentFate::written;
     row(theme, "fate", std::string{name_of(fragment.fate)}, written ? Tone::pass : Tone::fail);
+    frame_if_pointed(context, {"fate"});
     caption(theme, std::string{named(fragment.fate).explanation} + ".");
     const trace::PixelBefore before = trace::pixel_before(recording, fragment.index);
     color_row(theme, "before", before.color);
     if (fragment.shaded) {
         color_row(theme, "source", fragment.shaded->color);
+        frame_if_pointed(context, {"color.r", "color.g", "color.b", "color.a"});
     }
     color_row(theme, "after", fragment.merge ? fragment.merge->after : before.color);
     ImGui::Separator();
@@ -73,20 +76,31 @@ void draw_life(Context& context, const trace::FragmentDetail& fragment) {
         context.document.player().detail(), context.document.player().current(), settings
     );
     for (const explain::Formula& formula : explain::fragment_formulas(fragment, *piece, settings)) {
-        draw_formula(theme, formula, is_of_step(formula, of_step));
+        draw_formula(context, formula, is_of_step(formula, of_step));
     }
 }
 
 // ---- pixel history
 
-void end_row(Context& context, const char* label, const glm::vec4& color, float depth) {
+/// The pixel before or after all fragments; the lesson may point at what it holds in the end.
+void end_row(
+    Context& context, const char* label, const glm::vec4& color, float depth, bool pointed
+) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     swatch(context.theme, color);
     ImGui::SameLine();
     ImGui::TextUnformatted(label);
+    if (pointed) {
+        frame_if_pointed(
+            context, {"pixel color.r", "pixel color.g", "pixel color.b", "pixel color.a"}
+        );
+    }
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(explain::number(depth).c_str());
+    if (pointed) {
+        frame_if_pointed(context, {"pixel depth"});
+    }
     ImGui::TableNextColumn();
 }
 
@@ -162,7 +176,7 @@ void draw_rows(Context& context, const trace::PixelHistory& history) {
     ImGui::TableSetupColumn("depth", 0, 0.8F);
     ImGui::TableSetupColumn("fate", 0, 1.1F);
     ImGui::TableHeadersRow();
-    end_row(context, "initial", history.initial_color, history.initial_depth);
+    end_row(context, "initial", history.initial_color, history.initial_depth, false);
     ImGuiListClipper clipper; // a pixel may have thousands of fragments
     clipper.Begin(static_cast<int>(history.rows.size()));
     while (clipper.Step()) {
@@ -170,7 +184,7 @@ void draw_rows(Context& context, const trace::PixelHistory& history) {
             history_row(context, history.rows[static_cast<std::size_t>(i)]);
         }
     }
-    end_row(context, "final", history.final_color, history.final_depth);
+    end_row(context, "final", history.final_color, history.final_depth, true);
     ImGui::EndTable();
 }
 
@@ -225,6 +239,7 @@ void draw_history_tab(Context& context) {
             history.rows.size() + history.left_out
         )
     );
+    frame_if_pointed(context, {"pixel fragments", "pixel triangle"});
     if (history.left_out > 0) {
         caption(theme, fmt::format("{} earlier ones are left out", history.left_out), Tone::fail);
     }

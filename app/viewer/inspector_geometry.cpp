@@ -1,6 +1,7 @@
 // The inspector's tabs for a vertex and for a triangle.
 #include "app/viewer/formula_view.hpp"
 #include "app/viewer/lesson_hiding.hpp"
+#include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -9,25 +10,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace hs::viewer {
 namespace {
 
 using trace::TriangleDetail;
 using trace::VertexDetail;
-
-/// The vertex the current step is about, or the chosen corner of its triangle.
-const VertexDetail* current_vertex(Context& context) {
-    const trace::Step& step = context.document.player().current();
-    if (step.in_vertex_stage()) {
-        const trace::StepDetail& detail = context.document.player().detail();
-        return detail.vertex ? &*detail.vertex : nullptr;
-    }
-    const TriangleDetail* triangle = context.document.triangle_detail();
-    return triangle == nullptr ? nullptr
-                               : &triangle->corners[static_cast<std::size_t>(context.state.corner)];
-}
 
 void choose_corner(Context& context, const TriangleDetail& triangle) {
     const std::array labels{
@@ -44,47 +38,72 @@ void choose_corner(Context& context, const TriangleDetail& triangle) {
     }
 }
 
-/// The same vertex in every space, one line each.
-void draw_spaces(Context& context, const VertexDetail& vertex) {
-    const Theme& theme = context.theme;
-    struct Line {
-        const char* name;
-        std::string numbers;
-    };
-    const auto four = [](const glm::vec4& v) {
-        return fmt::format(
-            "{:>9} {:>9} {:>9} {:>8}",
-            explain::number(v.x),
-            explain::number(v.y),
-            explain::number(v.z),
-            explain::number(v.w)
-        );
-    };
-    std::vector<Line> lines{
-        {"object", four(math::to_vec4(vertex.work.object))},
-        {"world", four(math::to_vec4(vertex.work.world))},
-        {"eye", four(math::to_vec4(vertex.work.eye))},
-        {"clip", four(math::to_vec4(vertex.work.clip))},
+/// One line of the table of spaces: "clip" with x, y, z and w, in columns of equal width.
+struct SpaceLine {
+    std::string_view name;
+    std::vector<std::string_view> quantities; ///< of its columns
+    std::vector<float> values;
+};
+
+std::vector<SpaceLine> space_lines(const VertexDetail& vertex) {
+    const auto four = [](const auto& v) { return std::vector{v.x, v.y, v.z, v.w}; };
+    std::vector<SpaceLine> lines{
+        {"object",
+         {"object.x", "object.y", "object.z", "object.w"},
+         four(math::to_vec4(vertex.work.object))},
+        {"world",
+         {"world.x", "world.y", "world.z", "world.w"},
+         four(math::to_vec4(vertex.work.world))},
+        {"eye", {"eye.x", "eye.y", "eye.z", "eye.w"}, four(math::to_vec4(vertex.work.eye))},
+        {"clip", {"clip.x", "clip.y", "clip.z", "clip.w"}, four(math::to_vec4(vertex.work.clip))},
     };
     if (vertex.window.status != geometry::WindowStatus::at_eye) {
         const auto& ndc = vertex.window.ndc;
         const auto& window = vertex.window.window;
-        const auto three = [](float x, float y, float z) {
-            return fmt::format(
-                "{:>9} {:>9} {:>9}", explain::number(x), explain::number(y), explain::number(z)
-            );
-        };
-        lines.push_back({"ndc", three(ndc.x, ndc.y, ndc.z)});
-        lines.push_back({"window", three(window.x, window.y, window.depth)});
+        lines.push_back({"ndc", {"ndc.x", "ndc.y", "ndc.z"}, {ndc.x, ndc.y, ndc.z}});
+        lines.push_back(
+            {"window", {"window.x", "window.y", "window.depth"}, {window.x, window.y, window.depth}}
+        );
     }
+    if (vertex.window.status == geometry::WindowStatus::placed) {
+        lines.push_back(
+            {"snapped",
+             {"snapped.x", "snapped.y"},
+             {to_pixels(vertex.window.fixed.x), to_pixels(vertex.window.fixed.y)}}
+        );
+    }
+    return lines;
+}
+
+/// The same vertex in every space, one line each.
+void draw_spaces(Context& context, const VertexDetail& vertex) {
+    const Theme& theme = context.theme;
     const UseFont use{theme.fonts.small_mono};
-    for (const Line& line : lines) {
+    constexpr int column = 10; // characters
+    const float advance = text_size(theme.fonts.small_mono, "0").x;
+    for (const SpaceLine& line : space_lines(vertex)) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::quiet]);
-        ImGui::TextUnformatted(line.name);
+        ImGui::TextUnformatted(line.name.data(), line.name.data() + line.name.size());
         ImGui::PopStyleColor();
         ImGui::SameLine(theme.units(13));
         const bool hidden = hides_space(context.viewer, line.name);
-        ImGui::TextUnformatted(hidden ? "        ?" : line.numbers.c_str());
+        std::string text;
+        for (const float value : line.values) {
+            text += fmt::format("{:>{}}", hidden ? "?" : explain::number(value), column - 1) + " ";
+        }
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::TextUnformatted(text.c_str());
+        for (std::size_t i = 0; i < line.quantities.size(); ++i) {
+            if (points_at(context.viewer, line.quantities[i])) {
+                const float x = at.x + advance * static_cast<float>(i * column);
+                draw_pointing_frame(
+                    *ImGui::GetWindowDrawList(),
+                    theme,
+                    {x, at.y},
+                    {x + advance * (column - 1), ImGui::GetItemRectMax().y}
+                );
+            }
+        }
     }
     if (vertex.window.status == geometry::WindowStatus::at_eye) {
         caption(theme, "w = 0: no perspective divide, no place in the window.", Tone::fail);
@@ -98,13 +117,15 @@ int lit_vertex_formula(const trace::Step& step) {
 }
 
 /// What this step computed comes first, so that it is in sight.
-void draw_vertex_formulas(const Theme& theme, const std::vector<explain::Formula>& list, int lit) {
+void draw_vertex_formulas(
+    const Context& context, const std::vector<explain::Formula>& list, int lit
+) {
     if (lit >= 0 && lit < static_cast<int>(list.size())) {
-        draw_formula(theme, list[static_cast<std::size_t>(lit)], true);
+        draw_formula(context, list[static_cast<std::size_t>(lit)], true);
     }
     for (int i = 0; i < static_cast<int>(list.size()); ++i) {
         if (i != lit) {
-            draw_formula(theme, list[static_cast<std::size_t>(i)], false);
+            draw_formula(context, list[static_cast<std::size_t>(i)], false);
         }
     }
 }
@@ -144,13 +165,14 @@ void draw_passes(const Theme& theme, const TriangleDetail& triangle) {
     }
 }
 
-void draw_piece(const Theme& theme, const trace::PieceDetail& piece) {
-    row(theme,
-        "signed 2A",
-        fmt::format(
-            "{} px²", explain::number(static_cast<float>(piece.signed_doubled_area) / 65536.0F)
-        ));
+void draw_piece(const Context& context, const trace::PieceDetail& piece) {
+    const Theme& theme = context.theme;
+    row(theme, "signed 2A", fmt::format("{} px²", explain::square_pixels(piece.signed_doubled_area))
+    );
+    tooltip(fmt::format("{} / 65 536 px²", explain::whole(piece.signed_doubled_area)));
+    frame_if_pointed(context, {"signed area", "signed doubled area"});
     row(theme, "facing", std::string{name_of(piece.facing)});
+    frame_if_pointed(context, {"facing"});
     if (!piece.setup) {
         return;
     }
@@ -163,14 +185,36 @@ void draw_piece(const Theme& theme, const trace::PieceDetail& piece) {
                           explain::pixel({box.x0, box.y0}),
                           explain::pixel({box.x1 - 1, box.y1 - 1})
                       ));
+    frame_if_pointed(context, {"box pixels"});
     constexpr std::array names{"E01", "E12", "E20"};
     for (unsigned k = 0; k < 3; ++k) {
         const raster::EdgeFunction& e = piece.setup->edges[k];
         row(theme,
             names[k],
             fmt::format(
-                "a {}  b {}\nc {}", explain::whole(e.a), explain::whole(e.b), explain::whole(e.c)
+                "{}·x {} {}·y\n{} {} px²",
+                explain::pixels(e.a),
+                e.b < 0 ? "−" : "+",
+                explain::pixels(std::abs(e.b)),
+                e.c < 0 ? "−" : "+",
+                explain::square_pixels(std::abs(e.c))
             ));
+        tooltip(fmt::format(
+            "x and y in pixels from the center of pixel (0, 0).\nIn whole numbers: a = {} / 256, "
+            "b = {} / 256, c = {} / 65 536.",
+            explain::whole(e.a),
+            explain::whole(e.b),
+            explain::whole(e.c)
+        ));
+        constexpr std::array parts{"", ".a", ".b", ".c", ".owns ties"};
+        const bool pointed = std::ranges::any_of(parts, [&](const char* part) {
+            return points_at(context.viewer, std::string{names[k]} + part);
+        });
+        if (pointed) {
+            draw_pointing_frame(
+                *ImGui::GetWindowDrawList(), theme, ImGui::GetItemRectMin(), ImGui::GetItemRectMax()
+            );
+        }
     }
 }
 
@@ -181,7 +225,7 @@ void draw_vertex_tab(Context& context) {
     if (const TriangleDetail* triangle = context.document.triangle_detail()) {
         choose_corner(context, *triangle);
     }
-    const VertexDetail* vertex = current_vertex(context);
+    const VertexDetail* vertex = context.document.vertex_detail(context.state.corner);
     if (vertex == nullptr) {
         empty_note(
             theme,
@@ -199,7 +243,7 @@ void draw_vertex_tab(Context& context) {
     if (hides_numbers(context.viewer)) {
         caption(theme, hidden_note);
     } else {
-        draw_vertex_formulas(theme, list, lit);
+        draw_vertex_formulas(context, list, lit);
     }
     draw_matrix(theme, "model: object to world", vertex->transforms.model.matrix);
     draw_matrix(theme, "view: world to eye", vertex->transforms.view.matrix);
@@ -223,16 +267,18 @@ void draw_triangle_tab(Context& context) {
         "vertices",
         fmt::format("{} {} {}", triangle->vertices.a, triangle->vertices.b, triangle->vertices.c));
     row(theme, "verdict", std::string{name_of(triangle->verdict)});
+    frame_if_pointed(context, {"verdict"});
     caption(theme, std::string{named(triangle->verdict).explanation} + ".");
     if (step.kind < trace::StepKind::edge_test) {
         heading(theme, "This step");
         const auto list = explain::formulas(
             context.document.player().detail(), step, context.document.settings()
         );
-        draw_step_formulas(theme, list);
+        draw_step_formulas(context, list);
     }
     heading(theme, "Outcodes");
     caption(theme, "a bit per plane and vertex: 1 is outside");
+    frame_if_pointed(context, {"outcode"});
     const int planes = context.document.recording().frame->calls()[triangle->object].volume.count;
     draw_outcodes(theme, *triangle, planes);
     draw_passes(theme, *triangle);
@@ -244,7 +290,7 @@ void draw_triangle_tab(Context& context) {
             several ? fmt::format("Piece {}, of {} after clipping", number, triangle->pieces.size())
                     : std::string{"Area and edges"}
         );
-        draw_piece(theme, *piece);
+        draw_piece(context, *piece);
     }
 }
 

@@ -5,7 +5,7 @@
 
 namespace hs::viewer {
 
-Layout make_layout(ImVec2 window, const Theme& theme, bool show_space) {
+Layout make_layout(ImVec2 window, const Theme& theme, float side_share) {
     const float hairline = 1.0F;
     const auto share = [&](float part, float least, float most) {
         return std::floor(keep_within(window.x * part, theme.units(least), theme.units(most)));
@@ -23,20 +23,19 @@ Layout make_layout(ImVec2 window, const Theme& theme, bool show_space) {
     // The middle row: what is told, what is seen, what is computed
     const float top = l.strip.bottom() + hairline;
     const float height = std::max(0.0F, l.sentence.y - hairline - top);
-    const float left_width = share(0.21F, 66.0F, 96.0F);
-    const float inspector_width = share(0.27F, 86.0F, 120.0F);
+    // In large type on a small window what is seen keeps half of the width
+    const bool cramped = window.x < theme.units(300);
+    const float left_width = share(0.21F, cramped ? 50.0F : 66.0F, 96.0F);
+    const float inspector_width = share(0.27F, cramped ? 70.0F : 86.0F, 120.0F);
     l.left = {0.0F, top, left_width, height};
     l.inspector = {window.x - inspector_width, top, inspector_width, height};
     const float middle_x = left_width + hairline;
     const float middle_width = std::max(0.0F, l.inspector.x - hairline - middle_x);
-    const float screen_width = show_space ? std::floor(middle_width * 0.56F) : middle_width;
-    l.screen = {middle_x, top, screen_width, height};
-    const float space_x = middle_x + screen_width + hairline;
-    l.space = {
-        space_x,
-        top,
-        show_space ? std::max(0.0F, l.inspector.x - hairline - space_x) : 0.0F,
-        height};
+    const float side_width = std::floor(middle_width * side_share);
+    const float screen_width = std::max(0.0F, middle_width - side_width - hairline);
+    const bool shown = side_share > 0.0F;
+    l.screen = {middle_x, top, shown ? screen_width : middle_width, height};
+    l.side = {l.inspector.x - hairline - side_width, top, side_width, height};
     return l;
 }
 

@@ -18,12 +18,13 @@ struct Layout {
     Rect strip;
     Rect left;
     Rect screen;
-    Rect space; ///< no width when it is switched off
+    Rect side; ///< no width when it is switched off
     Rect inspector;
     Rect sentence;
     Rect timeline;
 };
 
-Layout make_layout(ImVec2 window, const Theme& theme, bool show_space);
+/// `side_share` of the middle belongs to the side panel; 0 when it is switched off.
+Layout make_layout(ImVec2 window, const Theme& theme, float side_share);
 
 } // namespace hs::viewer

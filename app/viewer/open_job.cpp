@@ -29,32 +29,6 @@ Opened open_lesson(const std::filesystem::path& file) {
     return opened;
 }
 
-void show_view(lesson::View view, State& state) {
-    using lesson::View;
-    if (view >= View::color && view <= View::barycentric) {
-        const int offset = static_cast<int>(view) - static_cast<int>(View::color);
-        state.screen.content = static_cast<ScreenContent>(offset);
-    } else if (view >= View::object && view <= View::ndc) {
-        const int offset = static_cast<int>(view) - static_cast<int>(View::object);
-        state.space.space = static_cast<Space>(offset);
-        state.show_space = true;
-    }
-}
-
-void show_panel(lesson::Panel panel, State& state) {
-    using lesson::Panel;
-    switch (panel) {
-    case Panel::unchanged: return;
-    case Panel::vertex:
-    case Panel::matrices: state.tab = InspectorTab::vertex; return;
-    case Panel::triangle: state.tab = InspectorTab::triangle; return;
-    case Panel::fragment: state.tab = InspectorTab::fragment; return;
-    case Panel::history: state.tab = InspectorTab::history; return;
-    case Panel::state: state.tab = InspectorTab::state; return;
-    }
-    HS_CHECK(false, "every panel a lesson names is handled");
-}
-
 } // namespace
 
 Opened record_job(
@@ -92,6 +66,37 @@ Opened open_job(
         record_job(std::make_shared<const scene::Scene>(std::move(*loaded)), at, progress);
     opened.file = file;
     return opened;
+}
+
+void show_view(lesson::View view, State& state) {
+    using lesson::View;
+    if (view >= View::color && view <= View::barycentric) {
+        const int offset = static_cast<int>(view) - static_cast<int>(View::color);
+        state.screen.content = static_cast<ScreenContent>(offset);
+    } else if (view >= View::object && view <= View::ndc) {
+        const int offset = static_cast<int>(view) - static_cast<int>(View::object);
+        show_space(state.space, static_cast<Space>(offset));
+        state.side = SidePanel::space;
+        state.show_side = true;
+    } else if (view >= View::projection) {
+        const int offset = static_cast<int>(view) - static_cast<int>(View::projection);
+        state.side = static_cast<SidePanel>(static_cast<int>(SidePanel::projection) + offset);
+        state.show_side = true;
+    }
+}
+
+void show_panel(lesson::Panel panel, State& state) {
+    using lesson::Panel;
+    switch (panel) {
+    case Panel::unchanged: return;
+    case Panel::vertex:
+    case Panel::matrices: state.tab = InspectorTab::vertex; return;
+    case Panel::triangle: state.tab = InspectorTab::triangle; return;
+    case Panel::fragment: state.tab = InspectorTab::fragment; return;
+    case Panel::history: state.tab = InspectorTab::history; return;
+    case Panel::state: state.tab = InspectorTab::state; return;
+    }
+    HS_CHECK(false, "every panel a lesson names is handled");
 }
 
 void apply_lesson_views(const lesson::LessonStep& step, State& state) {

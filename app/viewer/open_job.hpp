@@ -5,6 +5,7 @@
 #include "app/viewer/state.hpp"
 #include "core/scene/scene_file.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -12,7 +13,9 @@
 
 namespace hs::lesson {
 struct LessonStep;
-}
+enum class View : std::uint8_t;
+enum class Panel : std::uint8_t;
+} // namespace hs::lesson
 
 namespace hs::viewer {
 
@@ -28,6 +31,10 @@ Opened record_job(
     const std::string& at,
     const Background::Progress& progress
 );
+
+/// Brings one view or one tab of the inspector to the front, as lessons name them.
+void show_view(lesson::View view, State& state);
+void show_panel(lesson::Panel panel, State& state);
 
 /// Brings the views and panels a lesson's step asks for to the front.
 void apply_lesson_views(const lesson::LessonStep& step, State& state);

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
 
-#include <charconv>
+#include <utility>
 
 namespace hs::viewer {
 namespace {
@@ -36,43 +36,23 @@ void draw_steps(Context& context, Session& session) {
     }
 }
 
-/// The answer as written so far, or why it cannot be handed in.
-struct Draft {
-    std::optional<lesson::Value> value;
-    std::string why;
-};
-
-Draft number_draft(const LessonForm& form) {
-    double number = 0.0;
-    const char* const end = form.number.data() + form.number.size();
-    const auto read = std::from_chars(form.number.data(), end, number);
-    if (read.ec != std::errc{} || read.ptr != end) {
-        return {std::nullopt, "Type a number first, with a point for fractions."};
-    }
-    return {lesson::Value{number}, ""};
-}
-
-Draft draft_of(const lesson::Question& question, const LessonForm& form) {
-    switch (question.kind) {
-    case QuestionKind::value: return number_draft(form);
-    case QuestionKind::pixels: return {lesson::Value{lesson::make_pixel_set(form.picked)}, ""};
-    case QuestionKind::choice:
-    case QuestionKind::pass_fail:
-        if (form.choice < 0) {
-            return {std::nullopt, "Choose an answer first."};
-        }
-        return {lesson::Value{question.choices[static_cast<std::size_t>(form.choice)].value}, ""};
-    }
-    HS_CHECK(false, "every kind of question is handled");
-    return {};
-}
-
 void draw_input(Context& context, const lesson::Question& question, LessonForm& form) {
     const Theme& theme = context.theme;
     if (question.kind == QuestionKind::value) {
         const UseFont use{theme.fonts.mono};
         ImGui::SetNextItemWidth(theme.units(36));
-        ImGui::InputText("##number", &form.number, ImGuiInputTextFlags_CharsScientific);
+        if (std::exchange(form.wants_keyboard, false)) {
+            ImGui::SetKeyboardFocusHere();
+        }
+        const bool entered = ImGui::InputText(
+            "##number",
+            &form.number,
+            ImGuiInputTextFlags_CharsScientific | ImGuiInputTextFlags_EnterReturnsTrue |
+                ImGuiInputTextFlags_AutoSelectAll
+        );
+        if (entered) {
+            context.viewer.run(Command::lesson_answer);
+        }
         if (!question.unit.empty()) {
             ImGui::SameLine();
             ImGui::TextUnformatted(question.unit.c_str());
@@ -81,7 +61,9 @@ void draw_input(Context& context, const lesson::Question& question, LessonForm& 
         words(
             theme,
             fmt::format(
-                "Click pixels in the screen view; click again to take one back. Picked: {}.",
+                "Click pixels in the screen view, or nudge (Alt+arrows) and press X; once more "
+                "takes "
+                "one back. Picked: {}.",
                 form.picked.size()
             ),
             Tone::quiet
@@ -151,19 +133,17 @@ void draw_question(Context& context, Session& session) {
     ImGui::Separator();
     heading(theme, "Question");
     draw_document(theme, session.prompt());
-    const bool can_answer = (state == QuestionState::open || state == QuestionState::retry) &&
-                            session.recording() != nullptr;
-    if (can_answer) {
+    if (session.can_answer()) {
         LessonForm& form = context.viewer.lesson_form();
         const lesson::Question& question = *session.step().question;
         draw_input(context, question, form);
         const Draft draft = draft_of(question, form);
         const char* const label = state == QuestionState::retry ? "submit again" : "submit";
-        if (button(theme, label, "compare with the trace", draft.why)) {
+        if (button(theme, label, "compare with the trace (Enter)", draft.why)) {
             session.answer(*draft.value);
         }
         ImGui::SameLine();
-        if (button(theme, "I don't know", "shows the answer with its numbers")) {
+        if (button(theme, "I don't know", "shows the answer with its numbers (Ctrl+Enter)")) {
             session.give_up();
         }
     }

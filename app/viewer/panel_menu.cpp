@@ -33,6 +33,7 @@ void file_menu(Context& context) {
         ImGui::EndMenu();
     }
     tooltip(context.state.recent.empty() ? "Nothing was opened yet." : "");
+    menu_item(context, Command::export_shown);
     ImGui::Separator();
     menu_item(context, Command::quit);
 }
@@ -45,7 +46,10 @@ void view_menu(Context& context) {
           Command::next_view,
           Command::toggle_grid,
           Command::toggle_numbers,
-          Command::toggle_space}) {
+          Command::toggle_side,
+          Command::next_side,
+          Command::morph,
+          Command::toggle_side_view}) {
         menu_item(context, command);
     }
     ImGui::Separator();
@@ -56,6 +60,8 @@ void view_menu(Context& context) {
 void lessons_menu(Context& context) {
     menu_item(context, Command::lesson_next);
     menu_item(context, Command::lesson_previous);
+    menu_item(context, Command::lesson_answer);
+    menu_item(context, Command::lesson_give_up);
     ImGui::Separator();
     // Looked up while the menu is open only: a folder listing, not a part of every frame
     const auto lessons = lesson::find_lessons(lesson::lessons_folder());

@@ -51,9 +51,9 @@ void draw_key_sheet(Context& context, ImVec2 window) {
     draw_group(theme, CommandGroup::stepping);
     caption(theme, "Shift reverses every stepping key.");
     draw_group(theme, CommandGroup::pixel);
+    draw_group(theme, CommandGroup::lesson);
     ImGui::NextColumn();
     draw_group(theme, CommandGroup::view);
-    draw_group(theme, CommandGroup::lesson);
     draw_group(theme, CommandGroup::program);
     ImGui::Columns(1);
     ImGui::Dummy({0.0F, theme.units(1)});
@@ -75,7 +75,9 @@ void accept_prompt(Context& context) {
         state.prompt = Prompt::none;
         return;
     }
-    const std::optional<std::string> complaint = context.viewer.go_to(state.prompt_text);
+    const std::optional<std::string> complaint =
+        state.prompt == Prompt::export_file ? context.viewer.export_shown(state.prompt_text)
+                                            : context.viewer.go_to(state.prompt_text);
     if (complaint) {
         state.prompt_error = *complaint;
     } else {
@@ -98,19 +100,45 @@ void draw_recent(Context& context) {
     }
 }
 
+struct PromptText {
+    const char* title;
+    const char* verb;
+    const char* explanation;
+};
+
+PromptText text_of(Prompt prompt) {
+    switch (prompt) {
+    case Prompt::none: break;
+    case Prompt::open_file:
+        return {
+            "Open",
+            "open",
+            "Path of a scene (.toml), a mesh (.obj .off .ply .stl .om) or a lesson's folder. Files "
+            "can also be dropped on the window."};
+    case Prompt::export_file:
+        return {
+            "Export what the screen view shows",
+            "export",
+            "File to write, as the buffer is after this step: .exr and .npz keep every number, "
+            ".csv is a table, .png a picture. A file of that name is replaced."};
+    case Prompt::go_to:
+        return {
+            "Go to",
+            "go",
+            "A pixel \"31,17\" (origin top-left), a step \"object 0 / triangle 12 / fragment "
+            "31,17\", a number \"#184467\", \"start\" or \"end\"."};
+    }
+    HS_CHECK(false, "every prompt has a text");
+    return {};
+}
+
 void draw_prompt(Context& context, ImVec2 window) {
     const Theme& theme = context.theme;
     State& state = context.state;
-    const bool opens = state.prompt == Prompt::open_file;
+    const PromptText text = text_of(state.prompt);
     begin_sheet(theme, "prompt", window, theme.units(150), 0.0F);
-    heading(theme, opens ? "Open" : "Go to");
-    caption(
-        theme,
-        opens ? "Path of a scene (.toml), a mesh (.obj .off .ply .stl .om) or a lesson's folder. "
-                "Files can also be dropped on the window."
-              : "A pixel \"31,17\" (origin top-left), a step \"object 0 / triangle 12 / fragment "
-                "31,17\", a number \"#184467\", \"start\" or \"end\"."
-    );
+    heading(theme, text.title);
+    caption(theme, text.explanation);
     if (!state.prompt_appeared) {
         ImGui::SetKeyboardFocusHere();
         state.prompt_appeared = true;
@@ -119,21 +147,24 @@ void draw_prompt(Context& context, ImVec2 window) {
     bool accepted = false;
     {
         const UseFont use{theme.fonts.mono};
-        accepted =
-            ImGui::InputText("##prompt", &state.prompt_text, ImGuiInputTextFlags_EnterReturnsTrue);
+        accepted = ImGui::InputText(
+            "##prompt",
+            &state.prompt_text,
+            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll
+        );
     }
     if (!state.prompt_error.empty()) {
         caption(theme, state.prompt_error, Tone::fail);
     }
     const char* const why = state.prompt_text.empty() ? "Type something first." : "";
-    accepted = button(theme, opens ? "open" : "go", "Enter", why) || accepted;
+    accepted = button(theme, text.verb, "Enter", why) || accepted;
     ImGui::SameLine();
     if (button(theme, "cancel", "Esc")) {
         state.prompt = Prompt::none;
     } else if (accepted && !state.prompt_text.empty()) {
         accept_prompt(context);
     }
-    if (opens) {
+    if (state.prompt == Prompt::open_file) {
         draw_recent(context);
     }
     ImGui::End();

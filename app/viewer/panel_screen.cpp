@@ -140,14 +140,15 @@ void draw_readout(Context& context, const Rect& rect) {
     );
     const float room = rect.width - origin_width - theme.units(2);
     if (!pixel) {
-        const std::string hint = "click a pixel to pick it · wheel zooms · drag pans";
-        draw_text(
-            list,
+        const std::string hint = fitting(
             theme.fonts.small,
-            {rect.x, y},
-            theme[Tone::quiet],
-            shorten(theme.fonts.small, hint, room)
+            {"click a pixel to pick it · wheel zooms · drag pans",
+             "click picks · wheel zooms · drag pans",
+             "click a pixel to pick it",
+             "click picks"},
+            room
         );
+        draw_text(list, theme.fonts.small, {rect.x, y}, theme[Tone::quiet], hint);
         return;
     }
     const std::string text = fmt::format(
@@ -196,7 +197,7 @@ void draw_screen(Context& context, const Rect& rect, ScreenPicture& picture) {
         fit(view, image);
     }
     take_mouse(context, image);
-    picture.update(context.document, view.content, theme, context.textures);
+    picture.update(context.document, view, visible_pixels(view, image), theme, context.textures);
     draw_pixels(context, picture);
     draw_overlays(context, picture);
     draw_legend(

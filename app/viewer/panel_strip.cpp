@@ -1,4 +1,5 @@
 // The pipeline strip: every stage with what went in and came out up to the playhead.
+#include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -7,6 +8,8 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 namespace hs::viewer {
 namespace {
@@ -19,9 +22,8 @@ struct Flow {
     const char* unit_out = "";
 };
 
-/// At most five characters, so that every stage has room: 99 999, then 100k, 12.3M.
-std::string compact(std::uint64_t n) {
-    constexpr std::uint64_t exact_up_to = 99999;
+/// Short enough that every stage has room: exact up to a limit, then 100k, 12.3M.
+std::string compact(std::uint64_t n, std::uint64_t exact_up_to) {
     if (n <= exact_up_to) {
         return fmt::format("{}", n);
     }
@@ -60,11 +62,32 @@ Flow flow_of(trace::Stage stage, const trace::Counters& c, const trace::Recordin
     return {};
 }
 
+/// What a lesson may point at among a stage's counts.
+std::vector<std::string_view> counted_by(trace::Stage stage) {
+    using trace::Stage;
+    switch (stage) {
+    case Stage::vertex: return {"vertices"};
+    case Stage::clip: return {"triangles", "pieces"};
+    case Stage::traverse: return {"visits", "fragments"};
+    case Stage::test: return {"fragments failed"};
+    case Stage::merge: return {"fragments written"};
+    case Stage::application:
+    case Stage::divide:
+    case Stage::viewport:
+    case Stage::cull:
+    case Stage::setup:
+    case Stage::shade: return {};
+    }
+    HS_CHECK(false, "every stage is handled");
+    return {};
+}
+
 struct Cell {
     trace::Stage stage = trace::Stage::application;
     Rect rect;
     bool lit = false;
     std::string counts;
+    std::string short_counts; ///< where those do not fit
     std::string tip;
 };
 
@@ -90,13 +113,14 @@ void draw_cell(Context& context, const Cell& cell) {
         cell.lit ? hue : theme[Tone::text],
         name
     );
-    draw_text(
-        list,
-        theme.fonts.small_mono,
-        {x, min.y + theme.units(6)},
-        theme[Tone::quiet],
-        shorten(theme.fonts.small_mono, cell.counts, room)
-    );
+    const std::string counts =
+        fitting(theme.fonts.small_mono, {cell.counts, cell.short_counts}, room);
+    const ImVec2 at{x, min.y + theme.units(6)};
+    if (points_at_any(context.viewer, counted_by(cell.stage))) {
+        const ImVec2 size = text_size(theme.fonts.small_mono, counts);
+        draw_pointing_frame(list, theme, at, {at.x + size.x, at.y + size.y});
+    }
+    draw_text(list, theme.fonts.small_mono, at, theme[Tone::quiet], counts);
 }
 
 /// Forward first, then backward: a click always goes to the stage if the frame has it.
@@ -131,7 +155,13 @@ void draw_strip(Context& context, const Rect& rect) {
     const float width = rect.width / static_cast<float>(trace::stage_count);
     for (int i = 0; i < trace::stage_count; ++i) {
         const auto stage = static_cast<trace::Stage>(i);
-        Cell cell{.stage = stage, .rect = {}, .lit = false, .counts = "–", .tip = ""};
+        Cell cell{
+            .stage = stage,
+            .rect = {},
+            .lit = false,
+            .counts = "–",
+            .short_counts = "–",
+            .tip = ""};
         const float x0 = static_cast<float>(static_cast<int>(width * static_cast<float>(i)));
         const float x1 = static_cast<float>(static_cast<int>(width * static_cast<float>(i + 1)));
         cell.rect = {rect.x + x0, rect.y, x1 - x0, rect.height};
@@ -139,7 +169,11 @@ void draw_strip(Context& context, const Rect& rect) {
         if (open) {
             const Flow flow = flow_of(stage, counters, context.document.recording());
             cell.lit = trace::stage_of(context.document.player().current().kind) == stage;
-            cell.counts = compact(flow.in) + " → " + compact(flow.out);
+            constexpr std::uint64_t five_digits = 99999;
+            constexpr std::uint64_t three_digits = 999;
+            cell.counts = compact(flow.in, five_digits) + " → " + compact(flow.out, five_digits);
+            cell.short_counts =
+                compact(flow.in, three_digits) + "→" + compact(flow.out, three_digits);
             cell.tip += fmt::format(
                 "\n{} {} → {} {}, up to this step.\nClick to go there.",
                 flow.in,

@@ -208,15 +208,13 @@ void draw_granularity(Context& context) {
 void draw_number(Context& context, const Rect& rect, float y) {
     const Theme& theme = context.theme;
     const trace::Player& player = context.document.player();
-    const std::string text = fmt::format(
-        "#{} of {}",
-        explain::whole(static_cast<std::int64_t>(player.step())),
-        explain::whole(static_cast<std::int64_t>(player.end()))
-    );
+    const std::string number = "#" + explain::whole(static_cast<std::int64_t>(player.step()));
+    const std::string of_all =
+        fmt::format("{} of {}", number, explain::whole(static_cast<std::int64_t>(player.end())));
     ImFont* font = theme.fonts.mono;
     const float from = ImGui::GetItemRectMax().x + theme.units(3);
     const float right = rect.right() - theme.units(3);
-    const std::string shown = shorten(font, text, right - from);
+    const std::string shown = fitting(font, {of_all, number}, right - from);
     const float x = right - text_size(font, shown).x;
     const float down = (ImGui::GetFrameHeight() - font->FontSize) * 0.5F;
     draw_text(*ImGui::GetWindowDrawList(), font, {x, y + down}, theme[Tone::text], shown);
@@ -227,7 +225,7 @@ void draw_number(Context& context, const Rect& rect, float y) {
 void draw_timeline(Context& context, const Rect& rect, TimelineBands& bands) {
     const Theme& theme = context.theme;
     begin_panel("timeline", rect, theme, false);
-    const float label_width = theme.units(20);
+    const float label_width = theme.units(26);
     const float pad = theme.units(3);
     const float row_height = theme.units(6);
     const float x = rect.x + pad + label_width;

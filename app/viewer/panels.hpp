@@ -29,7 +29,12 @@ void draw_left(Context& context, const Rect& rect);
 void draw_lesson(Context& context);
 void draw_scene(Context& context);
 void draw_screen(Context& context, const Rect& rect, ScreenPicture& picture);
+void draw_side(Context& context, const Rect& rect, SpaceLines& lines);
+// What stands in the side panel. Precondition: a document is open.
 void draw_space(Context& context, const Rect& rect, SpaceLines& lines);
+void draw_projection(Context& context);
+void draw_precision(Context& context);
+void draw_clipping(Context& context);
 void draw_inspector(Context& context, const Rect& rect);
 void draw_vertex_tab(Context& context);
 void draw_triangle_tab(Context& context);

@@ -3,6 +3,7 @@
 #include "app/lesson/session.hpp"
 #include "app/viewer/layout.hpp"
 #include "app/viewer/lesson_form.hpp"
+#include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -42,17 +43,13 @@ struct Canvas {
 
 Canvas make_canvas(Context& context) {
     const ScreenView& view = context.state.screen;
-    const ImVec2 origin = image_origin(view);
-    const auto first = [&](float area, float start) {
-        return static_cast<int>(std::floor((area - start) / view.zoom));
-    };
-    const PixelRect seen{
-        first(view.area.x, origin.x),
-        first(view.area.y, origin.y),
-        first(view.area.right(), origin.x) + 1,
-        first(view.area.bottom(), origin.y) + 1};
     const PixelRect image = context.document.recording().settings().image();
-    return {*ImGui::GetWindowDrawList(), view, context.theme, origin, intersect(seen, image)};
+    return {
+        *ImGui::GetWindowDrawList(),
+        view,
+        context.theme,
+        image_origin(view),
+        visible_pixels(view, image)};
 }
 
 /// A line that shows on any ground: dark below, bright above.
@@ -252,6 +249,24 @@ void mark_pixels(
     }
 }
 
+/// Where rounding of depth decides who is seen, while the panel about that is open.
+void draw_fighting(Context& context, const Canvas& canvas) {
+    if (!context.state.show_side || context.state.side != SidePanel::precision) {
+        return;
+    }
+    const ImU32 color = canvas.theme.faded(Tone::fail, 0.75F);
+    const float least = canvas.theme.pixels(2);
+    int left = 20000; // more marks than anyone can tell apart
+    for (const PixelPos pixel : context.document.fighting_pixels()) {
+        if (!canvas.visible.contains(pixel) || left-- <= 0) {
+            continue;
+        }
+        const ImVec2 c = canvas.center(pixel);
+        const float half = std::max(least, canvas.view.zoom * 0.6F) * 0.5F;
+        canvas.list.AddRectFilled({c.x - half, c.y - half}, {c.x + half, c.y + half}, color);
+    }
+}
+
 /// The answer to a question about pixels: picked so far, and once graded what was missed.
 void draw_answer(Context& context, const Canvas& canvas) {
     lesson::Session* session = context.viewer.session();
@@ -274,8 +289,9 @@ void draw_ramp(
     ImFont* font = theme.fonts.small_mono;
     const float text_y = rect.y + (rect.height - font->FontSize) * 0.5F;
     draw_text(list, font, {rect.x, text_y}, theme[Tone::text], low);
+    const float texts = text_size(font, low).x + text_size(font, high).x + theme.units(4);
     const float start = rect.x + text_size(font, low).x + theme.units(2);
-    const float width = theme.units(30);
+    const float width = keep_within(rect.width - texts, theme.units(4), theme.units(30));
     constexpr int steps = 32;
     for (int i = 0; i < steps; ++i) {
         const float t = static_cast<float>(i) / static_cast<float>(steps - 1);
@@ -323,6 +339,19 @@ ImVec2 image_origin(const ScreenView& view) {
     return {std::floor(x), std::floor(y)};
 }
 
+PixelRect visible_pixels(const ScreenView& view, const PixelRect& image) {
+    const ImVec2 origin = image_origin(view);
+    const auto first = [&](float area, float start) {
+        return static_cast<int>(std::floor((area - start) / view.zoom));
+    };
+    const PixelRect seen{
+        first(view.area.x, origin.x),
+        first(view.area.y, origin.y),
+        first(view.area.right(), origin.x) + 1,
+        first(view.area.bottom(), origin.y) + 1};
+    return intersect(seen, image);
+}
+
 void draw_pixels(Context& context, const ScreenPicture& picture) {
     const Canvas canvas = make_canvas(context);
     const Rect& area = canvas.view.area;
@@ -362,6 +391,7 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
     if (!numbers && view.zoom >= samples_zoom) {
         draw_samples(canvas);
     }
+    draw_fighting(context, canvas);
     if (const trace::PieceDetail* piece = context.document.piece_detail()) {
         const bool edge =
             is_of_triangle(view.content) && view.content != ScreenContent::barycentric;
@@ -379,6 +409,9 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
     }
     if (context.state.selected) {
         frame_with_halo(canvas, *context.state.selected, context.theme[Tone::selected], 1.5F);
+    }
+    for (const PixelPos pixel : pointed_pixels(context.viewer)) {
+        frame_with_halo(canvas, pixel, context.theme[Tone::accent], 1.5F);
     }
     draw_answer(context, canvas);
     ImGui::PopClipRect();
@@ -403,12 +436,12 @@ void draw_legend(Context& context, const ScreenPicture& picture, const Rect& rec
         draw_keys(context, rect, keys);
     } else if (is_of_triangle(content)) {
         const std::array keys{
-            Swatch{Tone::pass, "E ≥ 0, the triangle's side"}, Swatch{Tone::fail, "E < 0"}};
+            Swatch{Tone::pass, "E ≥ 0: the triangle's side"}, Swatch{Tone::fail, "E < 0"}};
         draw_keys(context, rect, keys);
     } else {
         const std::array keys{
-            Swatch{Tone::outline, "current triangle"},
-            Swatch{Tone::pass, "visited, covered"},
+            Swatch{Tone::outline, "triangle"},
+            Swatch{Tone::pass, "covered"},
             Swatch{Tone::fail, "not covered"},
             Swatch{Tone::selected, "picked"}};
         draw_keys(context, rect, keys);

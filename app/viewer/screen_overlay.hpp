@@ -8,6 +8,9 @@ namespace hs::viewer {
 /// Where the image's top-left corner lies in the window.
 ImVec2 image_origin(const ScreenView& view);
 
+/// Pixels of the image that are at least partly in the view's area.
+PixelRect visible_pixels(const ScreenView& view, const PixelRect& image);
+
 /// The picture itself, clipped to its area.
 void draw_pixels(Context& context, const ScreenPicture& picture);
 

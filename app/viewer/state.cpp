@@ -1,6 +1,57 @@
 #include "app/viewer/state.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+namespace hs::viewer {
+namespace {
+
+float station(Space space) {
+    return static_cast<float>(space) - static_cast<float>(Space::eye);
+}
+
+} // namespace
+
+void show_space(SpaceView& view, Space space, float seconds) {
+    const bool walks = seconds > 0.0F && is_on_the_way(view.space) && is_on_the_way(space);
+    if (!walks) {
+        view.space = space;
+        view.morph_goal.reset();
+        view.morph = is_on_the_way(space) ? station(space) : 0.0F;
+        return;
+    }
+    view.morph_goal = station(space);
+    view.morph_seconds = seconds;
+}
+
+void set_morph(SpaceView& view, float morph) {
+    constexpr float last = 2.0F;
+    view.morph = std::clamp(morph, 0.0F, last);
+    const int nearest = static_cast<int>(std::lround(view.morph));
+    view.space = static_cast<Space>(static_cast<int>(Space::eye) + nearest);
+}
+
+void move_on(SpaceView& view, float seconds) {
+    if (!view.morph_goal) {
+        const bool astray =
+            is_on_the_way(view.space) && std::fabs(view.morph - station(view.space)) > 0.5F;
+        if (astray) {
+            show_space(view, view.space); // `space` was set by a lesson
+        }
+        return;
+    }
+    const float step = seconds * 2.0F / view.morph_seconds;
+    const float left = *view.morph_goal - view.morph;
+    if (std::fabs(left) <= step) {
+        set_morph(view, *view.morph_goal);
+        view.morph_goal.reset();
+    } else {
+        set_morph(view, view.morph + std::copysign(step, left));
+    }
+}
+
+} // namespace hs::viewer
 
 namespace hs {
 
@@ -37,11 +88,27 @@ std::span<const Named<viewer::Space>> names<viewer::Space>() {
     static constexpr std::array<Named<Space>, viewer::space_count> table{{
         {Space::object, "object", "as modeled, before any matrix"},
         {Space::world, "world", "where the scene stands, with the camera's view volume"},
-        {Space::eye, "eye", "the eye at the origin"},
+        {Space::eye, "eye", "the eye at the origin: the view volume is a pyramid"},
         {Space::clip,
          "clip",
          "x, y and w before the divide: the view volume is a pyramid of |x|, |y| ≤ w"},
         {Space::ndc, "NDC", "after the divide by w: the view volume is a box"},
+    }};
+    return table;
+}
+
+template <>
+std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
+    using viewer::SidePanel;
+    static constexpr std::array<Named<SidePanel>, viewer::side_panel_count> table{{
+        {SidePanel::space, "space", "the meshes in every coordinate space, with the view volume"},
+        {SidePanel::projection,
+         "projection",
+         "what the projection matrix does to one point, number by number"},
+        {SidePanel::precision,
+         "depth",
+         "how depth values are spread between the near and the far plane"},
+        {SidePanel::clipping, "clip", "the triangle against each plane of the view volume"},
     }};
     return table;
 }

@@ -46,6 +46,15 @@ enum class Space : std::uint8_t {
 };
 inline constexpr int space_count = 5;
 
+/// What stands beside the screen view.
+enum class SidePanel : std::uint8_t {
+    space,
+    projection,
+    precision,
+    clipping
+};
+inline constexpr int side_panel_count = 4;
+
 enum class InspectorTab : std::uint8_t {
     vertex,
     triangle,
@@ -85,19 +94,44 @@ struct ScreenView {
     Rect area; ///< where the last frame drew
 };
 
+/// Eye, clip and NDC are stations of one way, on which the view volume becomes a box.
+[[nodiscard]] inline bool is_on_the_way(Space space) {
+    return space >= Space::eye;
+}
+
 struct SpaceView {
     Space space = Space::world;
-    float yaw = 0.6F;      ///< radians
-    float pitch = 0.35F;   ///< radians
-    float distance = 1.0F; ///< 1 shows everything
+    float morph = 0.0F; ///< on the way: 0 eye, 1 clip, 2 NDC; `space` is the nearest station
+    std::optional<float> morph_goal; ///< while moving there by itself
+    float morph_seconds = 0.0F;      ///< that the whole way takes then
+    bool side = false;               ///< seen exactly from the side
+    float yaw = 0.6F;                ///< radians
+    float pitch = 0.35F;             ///< radians
+    float distance = 1.0F;           ///< 1 shows everything
     Rect area;
+};
+
+/// Goes to a space: at once, or along the way from eye space to NDC within `seconds`.
+void show_space(SpaceView& view, Space space, float seconds = 0.0F);
+/// Puts a space view somewhere on the way.
+void set_morph(SpaceView& view, float morph);
+/// Moves on toward the goal, if there is one; otherwise stands on the station that `space` names.
+void move_on(SpaceView& view, float seconds);
+
+/// Near and far planes while they are dragged, before the frame is recorded with them.
+struct PlanesDraft {
+    float near = 0.1F;
+    float far = 10.0F;
 };
 
 enum class Prompt : std::uint8_t {
     none,
     open_file,
+    export_file,
     go_to
 };
+
+inline constexpr float presentation_factor = 1.5F; ///< of large type for the lecture hall
 
 struct State {
     trace::Granularity granularity = trace::Granularity::triangle;
@@ -108,7 +142,10 @@ struct State {
     InspectorTab tab = InspectorTab::triangle;
     int corner = 0; ///< which vertex of the triangle the vertex tab shows
     LeftTab left = LeftTab::scene;
-    bool show_space = true;
+    SidePanel side = SidePanel::space;
+    bool show_side = true;
+    std::optional<PlanesDraft> planes;
+    bool log_distance = false; ///< axis of the depth plot
     ThemeKind theme = ThemeKind::dark;
     float presentation = 1.0F; ///< factor on all type and spacing
     bool show_keys = false;
@@ -132,6 +169,8 @@ template <>
 std::span<const Named<viewer::ScreenContent>> names<viewer::ScreenContent>();
 template <>
 std::span<const Named<viewer::Space>> names<viewer::Space>();
+template <>
+std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>();
 template <>
 std::span<const Named<viewer::InspectorTab>> names<viewer::InspectorTab>();
 } // namespace hs

@@ -1,6 +1,7 @@
 #include "app/viewer/viewer.hpp"
 
 #include "app/lesson/session.hpp"
+#include "app/viewer/export_job.hpp"
 #include "app/viewer/lesson_form.hpp"
 #include "app/viewer/open_job.hpp"
 #include "app/viewer/panels.hpp"
@@ -37,6 +38,14 @@ std::optional<PixelPos> parse_pixel(std::string_view text) {
     return pixel;
 }
 
+/// Panels of formulas and curves need more room than a view that can be zoomed.
+float side_share(const State& state) {
+    if (!state.show_side) {
+        return 0.0F;
+    }
+    return state.side == SidePanel::space ? 0.44F : 0.64F;
+}
+
 } // namespace
 
 Viewer::Viewer()
@@ -65,8 +74,18 @@ void Viewer::set_recording(std::shared_ptr<const trace::Recording> recording) {
         state_.selected.reset();
     }
     state_.hovered.reset();
+    state_.planes.reset();
     state_.playing = false;
     state_.notice.clear();
+}
+
+std::optional<std::string> Viewer::export_shown(const std::filesystem::path& file) {
+    Result<Background::Job> job = export_job(document_, state_.screen.content, file);
+    if (!job) {
+        return job.diagnostics().front().to_string();
+    }
+    background_.start(fmt::format("Writing {}", file.filename().string()), std::move(*job));
+    return std::nullopt;
 }
 
 void Viewer::seek(trace::StepId step) {
@@ -107,11 +126,24 @@ std::optional<std::string> Viewer::change_settings(const scene::Settings& settin
     }
     auto changed = std::make_shared<scene::Scene>(document_.scene());
     changed->settings = settings;
-    const std::string at = trace::step_path(document_.player().current());
-    background_.start("Recording", [changed, at](const Background::Progress& progress) {
-        return record_job(changed, at, progress);
-    });
+    record_anew(std::move(changed));
     return std::nullopt;
+}
+
+void Viewer::change_camera(const scene::Camera& camera) {
+    auto changed = std::make_shared<scene::Scene>(document_.scene());
+    changed->camera = camera;
+    record_anew(std::move(changed));
+}
+
+void Viewer::record_anew(std::shared_ptr<const scene::Scene> changed) {
+    const std::string at = trace::step_path(document_.player().current());
+    background_.start(
+        "Recording",
+        [scene = std::move(changed), at](const Background::Progress& progress) {
+            return record_job(scene, at, progress);
+        }
+    );
 }
 
 void Viewer::select(PixelPos pixel) {
@@ -152,6 +184,10 @@ void Viewer::receive(Opened opened) {
         return;
     }
     state_.problems.clear();
+    if (!opened.notice.empty()) {
+        state_.notice = std::move(opened.notice);
+        return;
+    }
     if (opened.session != nullptr) {
         session_ = std::move(opened.session);
         lesson_revision_ = session_->revision() - 1;
@@ -228,7 +264,7 @@ void Viewer::draw_hairlines() const {
             {0.0F, above.bottom()}, {l.menu.width, above.bottom() + 1.0F}, theme_[Tone::hairline]
         );
     }
-    for (const Rect& right : {l.screen, l.space, l.inspector}) {
+    for (const Rect& right : {l.screen, l.side, l.inspector}) {
         list.AddRectFilled(
             {right.x - 1.0F, right.y}, {right.x, right.bottom()}, theme_[Tone::hairline]
         );
@@ -241,9 +277,10 @@ void Viewer::draw(ImVec2 size, Textures& textures) {
     }
     follow_lesson();
     play(static_cast<double>(ImGui::GetIO().DeltaTime));
+    move_on(state_.space, ImGui::GetIO().DeltaTime);
     theme_.kind = state_.theme;
     apply_style(theme_);
-    layout_ = make_layout(size, theme_, state_.show_space);
+    layout_ = make_layout(size, theme_, side_share(state_));
 
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize(size);
@@ -264,8 +301,8 @@ void Viewer::draw(ImVec2 size, Textures& textures) {
     draw_strip(context, layout_.strip);
     draw_left(context, layout_.left);
     draw_screen(context, layout_.screen, *picture_);
-    if (state_.show_space) {
-        draw_space(context, layout_.space, *lines_);
+    if (state_.show_side) {
+        draw_side(context, layout_.side, *lines_);
     }
     draw_inspector(context, layout_.inspector);
     draw_sentence(context, layout_.sentence);

@@ -54,6 +54,11 @@ public:
     /// Records the scene anew with other settings and returns to the same step path. What is wrong
     /// with them, or nothing.
     std::optional<std::string> change_settings(const scene::Settings& settings);
+    /// Writes what the screen view shows, as it is at the playhead, to a file. What is wrong with
+    /// that, or nothing. Precondition: a document is open.
+    std::optional<std::string> export_shown(const std::filesystem::path& file);
+    /// The same with another camera.
+    void change_camera(const scene::Camera& camera);
     /// Goes to a step of the lesson. Precondition: there is a lesson.
     void go_to_lesson_step(std::size_t step);
     void select(PixelPos pixel);
@@ -76,7 +81,9 @@ public:
     void finish_background_work();
     [[nodiscard]] bool busy() const { return background_.running(); }
     /// Whether the next frame will differ without any input.
-    [[nodiscard]] bool wants_frames() const { return busy() || state_.playing; }
+    [[nodiscard]] bool wants_frames() const { return busy() || state_.playing || moving(); }
+    /// Whether something moves that will come to rest by itself.
+    [[nodiscard]] bool moving() const { return state_.space.morph_goal.has_value(); }
     void cancel_background_work() { background_.cancel(); }
     [[nodiscard]] const Background& background() const { return background_; }
     [[nodiscard]] std::string title() const;
@@ -95,6 +102,7 @@ public:
 
 private:
     void receive(Opened opened);
+    void record_anew(std::shared_ptr<const scene::Scene> changed);
     void follow_lesson();
     void remember(const std::filesystem::path& file);
     void step(trace::Granularity granularity, trace::Direction direction);
@@ -103,7 +111,12 @@ private:
     void play(double seconds);
     void draw_hairlines() const;
     void close_top();
+    [[nodiscard]] std::string why_no_answer(Command command) const;
+    void play_morph();
+    void choose_answer(int by);
+    void hand_in_answer();
     bool run_stepping(Command command);
+    bool run_lesson(Command command);
     bool run_view(Command command);
     void run_program(Command command);
 

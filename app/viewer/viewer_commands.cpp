@@ -1,5 +1,7 @@
 // What keys, menus and buttons do.
 #include "app/lesson/session.hpp"
+#include "app/viewer/export_job.hpp"
+#include "app/viewer/lesson_form.hpp"
 #include "app/viewer/viewer.hpp"
 
 #include <algorithm>
@@ -10,13 +12,12 @@ namespace {
 constexpr float zoom_factor = 1.25F;
 constexpr float largest_zoom = 256.0F;
 constexpr float smallest_zoom = 0.05F;
-constexpr float presentation_factor = 1.5F;
 
 bool needs_recording(Command command) {
     const CommandGroup group = command_info(command).group;
-    const bool of_window = command == Command::toggle_space;
+    const bool of_window = command == Command::toggle_side || command == Command::next_side;
     return (group == CommandGroup::stepping || group == CommandGroup::pixel ||
-            group == CommandGroup::view) &&
+            group == CommandGroup::view || command == Command::export_shown) &&
            !of_window;
 }
 
@@ -37,6 +38,9 @@ std::string Viewer::why_not(Command command) const {
     if (command == Command::lesson_previous && session_->index() == 0) {
         return "This is the lesson's first step.";
     }
+    if (of_lesson) {
+        return why_no_answer(command);
+    }
     if (!needs_recording(command)) {
         return "";
     }
@@ -54,6 +58,30 @@ std::string Viewer::why_not(Command command) const {
         return "The playhead stands at the end.";
     }
     return back && step == 0 ? "The playhead stands at the start." : "";
+}
+
+/// Why the lesson's question cannot be answered so; empty for commands that turn its pages.
+std::string Viewer::why_no_answer(Command command) const {
+    if (command == Command::lesson_next || command == Command::lesson_previous) {
+        return "";
+    }
+    if (!session_->can_answer()) {
+        return "There is no question to answer.";
+    }
+    const lesson::QuestionKind kind = session_->step().question->kind;
+    const bool chooses =
+        command == Command::lesson_choose_next || command == Command::lesson_choose_previous;
+    const bool has_choices =
+        kind == lesson::QuestionKind::choice || kind == lesson::QuestionKind::pass_fail;
+    if (chooses && !has_choices) {
+        return "The question has no answers to choose from.";
+    }
+    if (command == Command::lesson_mark && kind != lesson::QuestionKind::pixels) {
+        return "The question does not ask for pixels.";
+    }
+    return command == Command::lesson_mark && !state_.selected
+               ? "No pixel is picked: click one in the screen view."
+               : "";
 }
 
 void Viewer::key(const KeyPress& press) {
@@ -76,7 +104,7 @@ void Viewer::run(Command command) {
     if (!why_not(command).empty()) {
         return;
     }
-    if (!run_stepping(command) && !run_view(command)) {
+    if (!run_stepping(command) && !run_view(command) && !run_lesson(command)) {
         run_program(command);
     }
 }
@@ -167,11 +195,72 @@ bool Viewer::run_view(Command command) {
         screen.show_grid = !screen.show_grid;
     } else if (is(Command::toggle_numbers)) {
         screen.show_numbers = !screen.show_numbers;
-    } else if (is(Command::toggle_space)) {
-        state_.show_space = !state_.show_space;
+    } else if (is(Command::toggle_side)) {
+        state_.show_side = !state_.show_side;
+    } else if (is(Command::next_side)) {
+        const int next = (static_cast<int>(state_.side) + 1) % side_panel_count;
+        state_.side = static_cast<SidePanel>(next);
+        state_.show_side = true;
+    } else if (is(Command::morph)) {
+        play_morph();
+    } else if (is(Command::toggle_side_view)) {
+        state_.space.side = !state_.space.side;
     } else {
         return false;
     }
+    return true;
+}
+
+/// Slowly, for an audience: to the end that is farther away.
+void Viewer::play_morph() {
+    constexpr float seconds = 4.0F;
+    state_.side = SidePanel::space;
+    state_.show_side = true;
+    if (!is_on_the_way(state_.space.space)) {
+        viewer::show_space(state_.space, Space::eye);
+    }
+    const float goal = state_.space.morph_goal.value_or(state_.space.morph);
+    viewer::show_space(state_.space, goal < 1.0F ? Space::ndc : Space::eye, seconds);
+}
+
+void Viewer::choose_answer(int by) {
+    const auto count = static_cast<int>(session_->step().question->choices.size());
+    int& choice = lesson_form_->choice;
+    choice = choice < 0 && by < 0 ? count - 1 : (choice + by + count) % count;
+}
+
+/// What is written is handed in; where nothing is, the field takes the keyboard.
+void Viewer::hand_in_answer() {
+    const Draft draft = draft_of(*session_->step().question, *lesson_form_);
+    const bool typing = ImGui::GetIO().WantTextInput;
+    const bool number = session_->step().question->kind == lesson::QuestionKind::value;
+    if (number && !typing) {
+        lesson_form_->wants_keyboard = true;
+    } else if (draft.value) {
+        session_->answer(*draft.value);
+    }
+}
+
+bool Viewer::run_lesson(Command command) {
+    const auto is = [command](Command other) { return command == other; };
+    if (is(Command::lesson_next)) {
+        go_to_lesson_step(session_->index() + 1);
+    } else if (is(Command::lesson_previous)) {
+        go_to_lesson_step(session_->index() - 1);
+    } else if (is(Command::lesson_answer)) {
+        hand_in_answer();
+    } else if (is(Command::lesson_give_up)) {
+        session_->give_up();
+    } else if (is(Command::lesson_choose_next)) {
+        choose_answer(1);
+    } else if (is(Command::lesson_choose_previous)) {
+        choose_answer(-1);
+    } else if (is(Command::lesson_mark)) {
+        lesson_form_->toggle(*state_.selected);
+    } else {
+        return false;
+    }
+    state_.left = LeftTab::lesson;
     return true;
 }
 
@@ -187,10 +276,9 @@ void Viewer::run_program(Command command) {
         ask(Prompt::go_to);
     } else if (is(Command::open)) {
         ask(Prompt::open_file);
-    } else if (is(Command::lesson_next)) {
-        go_to_lesson_step(session_->index() + 1);
-    } else if (is(Command::lesson_previous)) {
-        go_to_lesson_step(session_->index() - 1);
+    } else if (is(Command::export_shown)) {
+        ask(Prompt::export_file);
+        state_.prompt_text = export_name(document_, state_.screen.content);
     } else if (is(Command::presentation)) {
         state_.presentation = state_.presentation > 1.0F ? 1.0F : presentation_factor;
     } else if (is(Command::theme)) {

@@ -1,6 +1,7 @@
 #include "app/viewer/widgets.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace hs::viewer {
 namespace {
@@ -118,15 +119,69 @@ bool button(
     return clicked;
 }
 
+namespace {
+
+float width_of(const Segment& segment) {
+    const std::string label{segment.label};
+    return ImGui::CalcTextSize(label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Lines that segments take side by side.
+int lines_of(const Theme& theme, std::span<const Segment> list, float room) {
+    int lines = 1;
+    float used = 0.0F;
+    for (const Segment& segment : list) {
+        const float width = width_of(segment);
+        const float gap = used > 0.0F ? theme.pixels(2) : 0.0F;
+        if (used > 0.0F && used + gap + width > room) {
+            ++lines;
+            used = width;
+        } else {
+            used += gap + width;
+        }
+    }
+    return lines;
+}
+
+int drop_down(const Theme& theme, std::span<const Segment> list, int chosen) {
+    int clicked = -1;
+    const std::string shown{list[static_cast<std::size_t>(chosen)].label};
+    ImGui::SetNextItemWidth(-1.0F);
+    if (!ImGui::BeginCombo("##choices", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
+        return clicked;
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const std::string label{list[i].label};
+        const bool disabled = !list[i].why.empty();
+        ImGui::PushStyleColor(ImGuiCol_Text, theme[disabled ? Tone::quiet : Tone::text]);
+        const ImGuiSelectableFlags flags =
+            disabled ? ImGuiSelectableFlags_Disabled : ImGuiSelectableFlags_None;
+        if (ImGui::Selectable(label.c_str(), static_cast<int>(i) == chosen, flags)) {
+            clicked = static_cast<int>(i);
+        }
+        ImGui::PopStyleColor();
+        tooltip(disabled ? list[i].why : list[i].tip);
+    }
+    ImGui::EndCombo();
+    return clicked;
+}
+
+} // namespace
+
 int segments(const Theme& theme, const char* id, std::span<const Segment> list, int chosen) {
     int clicked = -1;
     ImGui::PushID(id);
+    constexpr int most_lines = 2;
+    if (chosen >= 0 && lines_of(theme, list, ImGui::GetContentRegionAvail().x) > most_lines) {
+        clicked = drop_down(theme, list, chosen);
+        ImGui::PopID();
+        return clicked;
+    }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {theme.pixels(2), theme.pixels(2)});
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string label{list[i].label};
-        const float width =
-            ImGui::CalcTextSize(label.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+        const float width = width_of(list[i]);
         if (i > 0) {
             ImGui::SameLine();
             if (ImGui::GetCursorScreenPos().x + width > right) {
@@ -171,6 +226,15 @@ std::string shorten(ImFont* font, std::string_view text, float width) {
         end = next;
     }
     return std::string{text.substr(0, end)} + "…";
+}
+
+std::string fitting(ImFont* font, std::initializer_list<std::string_view> wordings, float width) {
+    for (const std::string_view text : wordings) {
+        if (text_size(font, text).x <= width) {
+            return std::string{text};
+        }
+    }
+    return shorten(font, *std::prev(wordings.end()), width);
 }
 
 std::string shorten_front(ImFont* font, std::string_view text, float width) {

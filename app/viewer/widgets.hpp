@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,7 +53,8 @@ bool button(
 );
 void tooltip(std::string_view text);
 
-/// One of several, side by side, wrapping to the next line. Returns the one clicked, or −1.
+/// One of several, side by side, wrapping to the next line; a list to drop down where that would
+/// take more than two lines. Returns the one clicked, or −1.
 struct Segment {
     std::string_view label;
     std::string_view tip;
@@ -65,6 +67,8 @@ void draw_text(ImDrawList& list, ImFont* font, ImVec2 position, ImU32 color, std
 ImVec2 text_size(ImFont* font, std::string_view text);
 /// The longest beginning that fits into `width`, with "…" where something is missing.
 std::string shorten(ImFont* font, std::string_view text, float width);
+/// The first of several wordings that fits, or the last one shortened.
+std::string fitting(ImFont* font, std::initializer_list<std::string_view> wordings, float width);
 /// The longest end that fits.
 std::string shorten_front(ImFont* font, std::string_view text, float width);
 

@@ -1,5 +1,6 @@
 #include "core/explain/formulas.hpp"
 
+#include "core/explain/clip_story.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/sentence.hpp"
 #include "core/explain/traversal.hpp"
@@ -43,11 +44,17 @@ template <typename From, typename To>
 Formula transform_formula(
     const char* title,
     const char* symbolic,
+    std::string_view quantity,
     const math::Transform<From, To>& transform,
     const math::Position<From>& from,
     const math::Position<To>& to
 ) {
-    return {title, symbolic, rows(transform.matrix, math::to_vec4(from)), point(math::to_vec4(to))};
+    return {
+        title,
+        symbolic,
+        rows(transform.matrix, math::to_vec4(from)),
+        point(math::to_vec4(to)),
+        {quantity}};
 }
 
 Formula lighting_formula(const shading::LightingTerms& terms) {
@@ -74,7 +81,8 @@ Formula divide_formula(const math::ClipPosition& clip, const geometry::WindowVer
             number(clip.z),
             number(v.inv_w)
         ),
-        point(v.ndc.x, v.ndc.y, v.ndc.z)};
+        point(v.ndc.x, v.ndc.y, v.ndc.z),
+        {"ndc", "inv_w"}};
 }
 
 Formula inv_w_formula(int vertex, const geometry::WindowVertex& v) {
@@ -82,7 +90,8 @@ Formula inv_w_formula(int vertex, const geometry::WindowVertex& v) {
         fmt::format("divide vertex {} by w", vertex),
         "p_ndc = p_clip · (1/w)",
         fmt::format("1/w = {}", number(v.inv_w)),
-        point(v.ndc.x, v.ndc.y, v.ndc.z)};
+        point(v.ndc.x, v.ndc.y, v.ndc.z),
+        {"ndc", "inv_w"}};
 }
 
 Formula snap_formula(int vertex, const geometry::WindowVertex& v) {
@@ -103,27 +112,11 @@ Formula snap_formula(int vertex, const geometry::WindowVertex& v) {
             number(to_pixels(v.fixed.x)),
             number(to_pixels(v.fixed.y)),
             number(v.window.depth)
-        )};
+        ),
+        {"window", "snapped", "fixed"}};
 }
 
 // ---- clip
-
-std::string plane_inequality(geometry::ClipPlane plane, scene::DepthConvention convention) {
-    const bool zero_to_one = convention != scene::DepthConvention::opengl;
-    const bool reversed = convention == scene::DepthConvention::reversed;
-    switch (plane) {
-    case geometry::ClipPlane::near: return reversed ? "w − z" : zero_to_one ? "z" : "w + z";
-    case geometry::ClipPlane::far: return reversed ? "z" : "w − z";
-    case geometry::ClipPlane::left: return "w + x";
-    case geometry::ClipPlane::right: return "w − x";
-    case geometry::ClipPlane::bottom: return "w + y";
-    case geometry::ClipPlane::top: return "w − y";
-    case geometry::ClipPlane::user0:
-    case geometry::ClipPlane::user1: return "a·x + b·y + c·z + d";
-    }
-    HS_CHECK(false, "every clip plane is handled");
-    return "";
-}
 
 std::vector<Formula>
 outcode_formulas(const trace::TriangleDetail& triangle, const scene::Settings& settings) {
@@ -144,12 +137,13 @@ outcode_formulas(const trace::TriangleDetail& triangle, const scene::Settings& s
         list.push_back(
             {fmt::format("distance to plane {}", name_of(plane)),
              fmt::format(
-                 "d = {}, inside iff d ≥ 0", plane_inequality(plane, settings.depth_convention)
+                 "d = {}, inside iff d ≥ 0", plane_distance(plane, settings.depth_convention)
              ),
              fmt::format("v0 {}\nv1 {}\nv2 {}", number(d[0]), number(d[1]), number(d[2])),
              outside == 0   ? "all inside"
              : outside == 3 ? "all outside"
-                            : fmt::format("{} of 3 outside", outside)}
+                            : fmt::format("{} of 3 outside", outside),
+             {"outcode"}}
         );
     }
     return list;
@@ -160,39 +154,23 @@ std::vector<Formula> clip_formulas(
     geometry::ClipPlane plane,
     const scene::Settings& settings
 ) {
-    const geometry::ClipVolume volume =
-        geometry::clip_volume(settings, triangle.corners[0].transforms.projection.matrix);
-    const math::HalfSpace& half_space = volume.planes[static_cast<std::size_t>(plane)];
     std::vector<Formula> list;
-    for (const trace::ClipPass& pass : triangle.passes) {
+    for (const ClipPassStory& pass : clip_story(triangle, settings)) {
         if (pass.plane != plane) {
             continue;
         }
-        for (int i = 0; i < pass.before.count; ++i) {
-            const int j = (i + 1) % pass.before.count;
-            const auto distance = [&](int k) {
-                return math::signed_distance(half_space, math::to_vec4(pass.before[k].position));
-            };
-            const bool i_inside = math::inside(distance(i));
-            if (i_inside == math::inside(distance(j))) {
-                continue;
-            }
-            const int in = i_inside ? i : j;
-            const int out = i_inside ? j : i;
-            const geometry::ClipVertex made = geometry::intersect_edge(
-                pass.before[in], distance(in), pass.before[out], distance(out)
-            );
+        for (const ClipCut& cut : pass.cuts) {
             list.push_back(
-                {fmt::format("edge {}–{} meets plane {}", i, j, name_of(plane)),
+                {fmt::format("edge {}–{} meets plane {}", cut.inside, cut.outside, name_of(plane)),
                  "t = d_in / (d_in − d_out),  p = p_in + t·(p_out − p_in)",
                  fmt::format(
                      "t = {} / ({} − {}) = {}",
-                     number(distance(in)),
-                     number(distance(in)),
-                     number(distance(out)),
-                     number(distance(in) / (distance(in) - distance(out)))
+                     number(cut.d_inside),
+                     number(cut.d_inside),
+                     number(cut.d_outside),
+                     number(cut.t)
                  ),
-                 point(math::to_vec4(made.position))}
+                 point(math::to_vec4(cut.made.position))}
             );
         }
     }
@@ -205,25 +183,26 @@ Formula facing_formula(const trace::PieceDetail& piece) {
     const auto& v = piece.window;
     return {
         "twice the signed area",
-        "2A = (x2 − x0)·(y1 − y0) − (y2 − y0)·(x1 − x0), in 1/256 px",
+        "2A = (x2 − x0)·(y1 − y0) − (y2 − y0)·(x1 − x0), snapped, y down",
         fmt::format(
             "({} − {})·({} − {})\n− ({} − {})·({} − {})",
-            v[2].fixed.x,
-            v[0].fixed.x,
-            v[1].fixed.y,
-            v[0].fixed.y,
-            v[2].fixed.y,
-            v[0].fixed.y,
-            v[1].fixed.x,
-            v[0].fixed.x
+            number(to_pixels(v[2].fixed.x)),
+            number(to_pixels(v[0].fixed.x)),
+            number(to_pixels(v[1].fixed.y)),
+            number(to_pixels(v[0].fixed.y)),
+            number(to_pixels(v[2].fixed.y)),
+            number(to_pixels(v[0].fixed.y)),
+            number(to_pixels(v[1].fixed.x)),
+            number(to_pixels(v[0].fixed.x))
         ),
         fmt::format(
-            "{}: {}",
-            whole(piece.signed_doubled_area),
+            "{} px²: {}",
+            square_pixels(piece.signed_doubled_area),
             piece.signed_doubled_area > 0   ? "counterclockwise"
             : piece.signed_doubled_area < 0 ? "clockwise"
                                             : "no area"
-        )};
+        ),
+        {"signed area", "signed doubled area", "facing"}};
 }
 
 std::vector<Formula> setup_formulas(const raster::TriangleSetup& setup) {
@@ -232,10 +211,13 @@ std::vector<Formula> setup_formulas(const raster::TriangleSetup& setup) {
         const raster::EdgeFunction& e = setup.edges[k];
         list.push_back(
             {fmt::format("edge function {}", edge_names[k]),
-             "E(x, y) = a·x + b·y + c, x and y in 1/256 px",
-             fmt::format("a = {}, b = {}\nc = {}", whole(e.a), whole(e.b), whole(e.c)),
+             "E(x, y) = a·x + b·y + c, x and y in pixels from the center of pixel (0, 0)",
+             fmt::format(
+                 "a = {} px, b = {} px\nc = {} px²", pixels(e.a), pixels(e.b), square_pixels(e.c)
+             ),
              e.owns_ties() ? "top or left edge: owns pixel centers on it"
-                           : "neither top nor left: leaves them to its neighbor"}
+                           : "neither top nor left: leaves them to its neighbor",
+             {edge_names[k]}}
         );
     }
     return list;
@@ -251,12 +233,13 @@ Formula weights_formula(const trace::FragmentDetail& fragment, const raster::Tri
         "λ1 = E20 / 2A,  λ2 = E01 / 2A,  λ0 = 1 − λ1 − λ2",
         fmt::format(
             "λ1 = {} / {}\nλ2 = {} / {}",
-            whole(e[2]),
-            whole(setup.doubled_area),
-            whole(e[0]),
-            whole(setup.doubled_area)
+            square_pixels(e[2]),
+            square_pixels(setup.doubled_area),
+            square_pixels(e[0]),
+            square_pixels(setup.doubled_area)
         ),
-        point(weights[0], weights[1], weights[2])};
+        point(weights[0], weights[1], weights[2]),
+        {"λ0", "λ1", "λ2"}};
 }
 
 Formula depth_formula(const trace::FragmentDetail& fragment, const trace::PieceDetail& piece) {
@@ -275,7 +258,8 @@ Formula depth_formula(const trace::FragmentDetail& fragment, const trace::PieceD
             number(v[2].window.depth),
             number(v[0].window.depth)
         ),
-        number(fragment.fragment.depth)};
+        number(fragment.fragment.depth),
+        {"depth"}};
 }
 
 Formula
@@ -293,7 +277,8 @@ perspective_formula(const trace::FragmentDetail& fragment, const trace::PieceDet
             number(v[2].inv_w),
             point(weights[0], weights[1], weights[2])
         ),
-        point(corrected[0], corrected[1], corrected[2])};
+        point(corrected[0], corrected[1], corrected[2]),
+        {"b0", "b1", "b2", "1/w"}};
 }
 
 Formula test_formula(const pipeline::DepthTest& test) {
@@ -303,7 +288,8 @@ Formula test_formula(const pipeline::DepthTest& test) {
         fmt::format("depth test: {}", name_of(test.op)),
         sign.empty() ? std::string{name_of(test.op)} : fmt::format("z {} stored", sign),
         fmt::format("{} {} {}", depth, sign.empty() ? name_of(test.op) : sign, stored),
-        test.passed ? "true: passes" : "false: fails"};
+        test.passed ? "true: passes" : "false: fails",
+        {"stored depth", "passes depth test"}};
 }
 
 Formula merge_formula(const pipeline::Merge& merge) {
@@ -406,11 +392,23 @@ std::vector<Formula> vertex_formulas(const trace::VertexDetail& vertex) {
     const pipeline::Transforms& t = vertex.transforms;
     std::vector<Formula> list{
         transform_formula(
-            "object to world", "p_world = M_model · p_object", t.model, work.object, work.world
+            "object to world",
+            "p_world = M_model · p_object",
+            "world",
+            t.model,
+            work.object,
+            work.world
         ),
-        transform_formula("world to eye", "p_eye = M_view · p_world", t.view, work.world, work.eye),
         transform_formula(
-            "eye to clip", "p_clip = M_projection · p_eye", t.projection, work.eye, work.clip
+            "world to eye", "p_eye = M_view · p_world", "eye", t.view, work.world, work.eye
+        ),
+        transform_formula(
+            "eye to clip",
+            "p_clip = M_projection · p_eye",
+            "clip",
+            t.projection,
+            work.eye,
+            work.clip
         ),
     };
     if (work.terms) {
@@ -436,13 +434,19 @@ edge_formulas(const raster::TriangleSetup& setup, const trace::VisitDetail& visi
                            : "E = a·x + b·y + c, inside iff E > 0",
              fmt::format(
                  "{}·{} + {}·{} + {}",
-                 e.a,
-                 visit.pixel.x * subpixel_scale,
-                 e.b,
-                 visit.pixel.y * subpixel_scale,
-                 e.c
+                 pixels(e.a),
+                 visit.pixel.x,
+                 pixels(e.b),
+                 visit.pixel.y,
+                 square_pixels(e.c)
              ),
-             fmt::format("{}: {}", whole(value), owned ? "inside" : "outside")}
+             fmt::format(
+                 "{} px² ({} / 65 536): {}",
+                 square_pixels(value),
+                 whole(value),
+                 owned ? "inside" : "outside"
+             ),
+             {edge_names[k], "covered"}}
         );
     }
     return list;

@@ -6,6 +6,7 @@
 #include "core/trace/step.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hs::explain {
@@ -15,6 +16,8 @@ struct Formula {
     std::string symbolic;
     std::string with_numbers; ///< lines separated by '\n'; may be empty
     std::string value;
+    /// What it computes, by the names that lessons use: "ndc", "λ0".
+    std::vector<std::string_view> quantities{};
 };
 
 /// In the order they are computed. `settings` are those of the step's object (object_settings).

@@ -47,6 +47,14 @@ std::string whole(std::int64_t value) {
     return grouped;
 }
 
+std::string square_pixels(std::int64_t value) {
+    return number(static_cast<float>(static_cast<double>(value) / 65536.0));
+}
+
+std::string pixels(std::int64_t value) {
+    return number(static_cast<float>(static_cast<double>(value) / 256.0));
+}
+
 std::string pixel(PixelPos p) {
     return fmt::format("({}, {})", p.x, p.y);
 }

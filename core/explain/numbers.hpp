@@ -25,6 +25,12 @@ std::pair<std::string, std::string> compared(float left, float right);
 /// Digits in groups of three: "1 048 576".
 std::string whole(std::int64_t value);
 
+/// Edge values and doubled areas in pixel², from the 1/65536 pixel² they are kept in: "16.0000".
+std::string square_pixels(std::int64_t value);
+
+/// Differences of snapped coordinates in pixels, from the 1/256 pixel they are kept in.
+std::string pixels(std::int64_t value);
+
 /// "(31, 17)"; pixels count from the top-left one.
 std::string pixel(PixelPos p);
 

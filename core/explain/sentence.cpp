@@ -103,8 +103,7 @@ facing_sentence(const std::string& who, const trace::PieceDetail& piece, scene::
         return determinant_sentence(who, piece);
     }
     const std::int64_t area = piece.signed_doubled_area;
-    const std::string value =
-        fmt::format("twice its signed area is {} in 1/65536 px²", whole(area));
+    const std::string value = fmt::format("twice its signed area is {} px²", square_pixels(area));
     if (area == 0) {
         return fmt::format("The {} encloses no area on the snapped grid: discarded.", who);
     }
@@ -148,9 +147,8 @@ std::string edge_sentence(const std::string& who, const Step& step, const StepDe
         for (unsigned k = 0; k < 3; ++k) {
             const std::int64_t e = detail.visit->edges[k];
             if (e < 0) {
-                const float square_pixels = static_cast<float>(e) / 65536.0F;
                 edges += fmt::format(
-                    "{}{} = {} px² < 0", edges.empty() ? "" : ", ", names[k], number(square_pixels)
+                    "{}{} = {} px² < 0", edges.empty() ? "" : ", ", names[k], square_pixels(e)
                 );
             }
         }

@@ -1,4 +1,5 @@
 // The screen view: picking, zooming, and pixels shown as they are.
+#include "app/viewer/screen_overlay.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "tests/app/window.hpp"
 #include "tests/support/catch.hpp"
@@ -11,6 +12,14 @@ using viewer::Key;
 using viewer::ScreenContent;
 
 namespace {
+
+/// Takes pictures and shows them to nobody.
+class NoTextures : public viewer::Textures {
+public:
+    ImTextureID create(int, int) override { return this; }
+    void update(ImTextureID, const PixelRect&, std::span<const framebuffer::Rgba8>) override {}
+    void destroy(ImTextureID) override {}
+};
 
 framebuffer::Rgba8 shown_at(const Window& window, PixelPos pixel) {
     const ImVec2 at = window.viewer.screen_position(pixel);
@@ -94,6 +103,81 @@ TEST_CASE("stepping back repaints what stepping forward painted", "[app]") {
     window->viewer.seek(40);
     window->settle();
     CHECK(window->host.picture().pixels == before.pixels);
+}
+
+TEST_CASE("only what is in sight is painted, and no finer than the window shows it", "[app]") {
+    constexpr std::string_view large = R"(
+[settings]
+size = [1920, 1080]
+[camera]
+projection = { kind = "identity" }
+[[object]]
+name = "quad"
+vertices = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+polygons = [[0, 1, 2, 3]]
+)";
+    const auto window = Window::with_scene();
+    window->viewer.set_recording(test::record_text(large));
+    window->viewer.state().screen.fitted = true;
+    window->settle();
+    NoTextures textures;
+    viewer::ScreenPicture picture;
+    viewer::Document& document = window->viewer.document();
+    viewer::ScreenView view = window->state().screen;
+    const PixelRect image = document.recording().settings().image();
+    const auto update = [&] {
+        const PixelRect visible = viewer::visible_pixels(view, image);
+        picture.update(document, view, visible, window->viewer.theme(), textures);
+    };
+    const float window_pixels = view.area.width * view.area.height;
+    update();
+    CHECK(picture.block() > 1);
+    CHECK(static_cast<float>(picture.painted()) < 2.5F * window_pixels);
+
+    // From one end of the frame to the other: as much again, and nothing without a change
+    document.player().seek(0);
+    update();
+    CHECK(static_cast<float>(picture.painted()) < 2.5F * window_pixels);
+    CHECK(picture.painted() > 0);
+    update();
+    CHECK(picture.painted() == 0);
+
+    // Close up, a pixel is a texel; the rest of the image stays as it was until it is panned to
+    view.zoom = 8.0F;
+    document.player().seek(document.player().end());
+    update();
+    CHECK(picture.block() == 1);
+    CHECK(static_cast<float>(picture.painted()) < 2.5F * window_pixels);
+    CHECK(picture.painted() < 200000);
+    view.center = {300.0F, 200.0F};
+    update();
+    CHECK(picture.painted() > 0);
+    for (const PixelPos pixel : {PixelPos{300, 200}, PixelPos{310, 190}}) {
+        CHECK(picture.shown(pixel) == (document.player().pixel(pixel).color | 0xFF000000U));
+    }
+}
+
+TEST_CASE("edge and weight colors say on which side a pixel lies", "[app]") {
+    const auto window = Window::with_scene();
+    REQUIRE_FALSE(window->viewer.go_to("object 0 / triangle 0 / setup"));
+    const trace::PieceDetail* piece = window->viewer.document().piece_detail();
+    REQUIRE((piece != nullptr && piece->setup));
+    const raster::TriangleSetup& setup = *piece->setup;
+    for (unsigned k = 0; k < 3; ++k) {
+        const viewer::EdgeColors colors{setup.edges[k], 16.0F * 16.0F * 65536.0F};
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 16; ++x) {
+                const framebuffer::Rgba8 color = colors({x, y});
+                const bool bluish = (color >> 16U & 0xFFU) > (color & 0xFFU);
+                CHECK(bluish == (setup.edges[k]({x, y}) >= 0));
+            }
+        }
+    }
+    const viewer::WeightColors weights{setup, window->viewer.theme()};
+    const auto light = [](framebuffer::Rgba8 c) {
+        return (c & 0xFFU) + (c >> 8U & 0xFFU) + (c >> 16U & 0xFFU);
+    };
+    CHECK(light(weights({0, 15})) + light(weights({15, 15})) > 2 * light(weights({0, 0})));
 }
 
 TEST_CASE("every view prints the exact number of a pixel", "[app]") {

@@ -5,6 +5,7 @@
 #include "core/trace/player.hpp"
 #include "tests/support/catch.hpp"
 
+#include <cstdio>
 #include <limits>
 
 using namespace hs;
@@ -76,6 +77,23 @@ TEST_CASE("a matrix formula shows the numbers it multiplied", "[explain]") {
     CHECK(list[0].with_numbers.find("1.0000·-1.0000") != std::string::npos);
 }
 
+TEST_CASE("edge functions are explained in pixels and add up as written", "[explain]") {
+    trace::Player at = player();
+    at.seek(*trace::find_step(at.recording(), "object 0 / triangle 0 / pixel 4,5"));
+    const std::vector<explain::Formula> list = formulas_of(at);
+    REQUIRE(list.size() == 3);
+    for (const explain::Formula& formula : list) {
+        INFO(formula.with_numbers << " = " << formula.value);
+        double a = 0.0;
+        double b = 0.0;
+        double c = 0.0;
+        double value = 0.0;
+        REQUIRE(std::sscanf(formula.with_numbers.c_str(), "%lf·4 + %lf·5 + %lf", &a, &b, &c) == 3);
+        REQUIRE(std::sscanf(formula.value.c_str(), "%lf px²", &value) == 1);
+        CHECK(a * 4.0 + b * 5.0 + c == Approx(value).margin(0.001));
+    }
+}
+
 TEST_CASE("numbers keep their digits and compared ones are told apart", "[explain]") {
     CHECK(explain::number(0.5F) == "0.5000");
     CHECK(explain::number(-0.0F) == "0.0000");
@@ -85,6 +103,10 @@ TEST_CASE("numbers keep their digits and compared ones are told apart", "[explai
     CHECK(explain::whole(0) == "0");
     CHECK(explain::whole(-1234567) == "-1 234 567");
     CHECK(explain::whole(std::numeric_limits<std::int64_t>::min()) == "-9 223 372 036 854 775 808");
+    CHECK(explain::square_pixels(65536 * 16) == "16.0000");
+    CHECK(explain::square_pixels(-98304) == "-1.5000");
+    CHECK(explain::square_pixels(1) == "1.526e-05");
+    CHECK(explain::pixels(-2560) == "-10.0000");
     const auto [a, b] = explain::compared(0.50000003F, 0.5F);
     CHECK(a != b);
 }
