@@ -34,6 +34,8 @@ void Document::show(std::shared_ptr<const trace::Recording> recording) {
     history_.reset();
     fighting_.reset();
     sentence_step_.reset();
+    trail_step_.reset();
+    costs_triangle_.reset();
 }
 
 void Document::close() {
@@ -42,6 +44,8 @@ void Document::close() {
     history_.reset();
     fighting_.reset();
     sentence_step_.reset();
+    trail_step_.reset();
+    costs_triangle_.reset();
 }
 
 std::optional<std::uint32_t> Document::current_triangle() const {
@@ -107,6 +111,28 @@ const std::string& Document::sentence() {
         sentence_step_ = player_->step();
     }
     return sentence_;
+}
+
+const std::vector<trace::TraversalCost>& Document::traversal_costs() {
+    const std::optional<std::uint32_t> triangle = current_triangle();
+    if (!triangle) {
+        traversal_costs_.clear();
+    } else if (triangle != costs_triangle_) {
+        const trace::Step& step = player_->current();
+        traversal_costs_ = trace::compare_traversals(
+            recording(), trace::TriangleNumber{step.object, step.triangle}
+        );
+    }
+    costs_triangle_ = triangle;
+    return traversal_costs_;
+}
+
+const trace::Trail& Document::trail() {
+    if (trail_step_ != player_->step()) {
+        trail_ = trace::trail(recording(), player_->current());
+        trail_step_ = player_->step();
+    }
+    return trail_;
 }
 
 } // namespace hs::viewer

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/viewer/screen_colors.hpp"
+#include "core/trace/comparison.hpp"
 #include "core/trace/history.hpp"
 #include "core/trace/player.hpp"
+#include "core/trace/trail.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -59,6 +61,13 @@ public:
     /// The sentence about the current step, kept until the playhead moves.
     const std::string& sentence();
 
+    /// What every traversal would spend on the current triangle, kept until another one is
+    /// current; empty outside of triangles.
+    const std::vector<trace::TraversalCost>& traversal_costs();
+
+    /// What the current triangle's traversal has done so far, kept until the playhead moves.
+    const trace::Trail& trail();
+
 private:
     std::unique_ptr<trace::Player> player_;
     unsigned revision_ = 0;
@@ -67,6 +76,10 @@ private:
     std::optional<std::vector<PixelPos>> fighting_;
     std::string sentence_;
     std::optional<trace::StepId> sentence_step_;
+    std::vector<trace::TraversalCost> traversal_costs_;
+    std::optional<std::uint32_t> costs_triangle_;
+    trace::Trail trail_;
+    std::optional<trace::StepId> trail_step_;
 };
 
 } // namespace hs::viewer

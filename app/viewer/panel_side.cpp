@@ -23,8 +23,10 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_projection(context);
     } else if (panel == SidePanel::precision) {
         draw_precision(context);
-    } else {
+    } else if (panel == SidePanel::clipping) {
         draw_clipping(context);
+    } else {
+        draw_cost(context);
     }
     end_panel();
 }
@@ -46,7 +48,7 @@ void draw_side(Context& context, const Rect& rect, SpaceLines& lines) {
         empty_note(
             theme,
             "Here you will see the meshes in every coordinate space, with the view volume, and "
-            "what projection, depth and clipping do to them."
+            "what projection, depth, clipping and traversals do to them."
         );
     } else {
         const float top = ImGui::GetCursorScreenPos().y;

@@ -5,6 +5,7 @@
 #include "app/viewer/lesson_form.hpp"
 #include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/screen_picture.hpp"
+#include "app/viewer/traversal_overlay.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
 #include "core/explain/numbers.hpp"
@@ -404,6 +405,7 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
             draw_edge_line(canvas, *piece, k);
         }
     }
+    draw_traversal(context);
     if (context.document.player().current().has_pixel()) {
         draw_visit(canvas, context.document.player().current());
     }

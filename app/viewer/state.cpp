@@ -109,6 +109,7 @@ std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
          "depth",
          "how depth values are spread between the near and the far plane"},
         {SidePanel::clipping, "clip", "the triangle against each plane of the view volume"},
+        {SidePanel::cost, "cost", "what the traversal spends, beside all others"},
     }};
     return table;
 }

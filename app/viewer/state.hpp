@@ -51,9 +51,10 @@ enum class SidePanel : std::uint8_t {
     space,
     projection,
     precision,
-    clipping
+    clipping,
+    cost
 };
-inline constexpr int side_panel_count = 4;
+inline constexpr int side_panel_count = 5;
 
 enum class InspectorTab : std::uint8_t {
     vertex,

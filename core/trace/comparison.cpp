@@ -1,6 +1,5 @@
 #include "core/trace/comparison.hpp"
 
-#include "core/framebuffer/framebuffer.hpp"
 #include "core/pipeline/draw.hpp"
 
 namespace hs::trace {
@@ -25,12 +24,37 @@ private:
 };
 static_assert(pipeline::TraceSink<CostTrace>);
 
+/// Pixels that nobody reads: what a traversal spends does not depend on them.
+struct NoPixels {
+    [[nodiscard]] float depth(PixelPos) const { return 1.0F; }
+    [[nodiscard]] glm::vec4 color(PixelPos) const { return glm::vec4{0.0F}; }
+    void set_depth(PixelPos, float) {}
+    void set_color(PixelPos, const glm::vec4&) {}
+};
+static_assert(framebuffer::PixelTarget<NoPixels>);
+
+/// The mesh of one triangle alone, its vertices numbered 0, 1, 2.
+scene::Mesh alone(const scene::Mesh& mesh, const scene::TriangleIndices& triangle) {
+    scene::Mesh one;
+    const auto copy = [&triangle](const auto& from, auto& to) {
+        for (int corner = 0; corner < 3 && !from.empty(); ++corner) {
+            to.push_back(from[triangle[corner]]);
+        }
+    };
+    copy(mesh.positions, one.positions);
+    copy(mesh.normals, one.normals);
+    copy(mesh.colors, one.colors);
+    copy(mesh.uvs, one.uvs);
+    one.triangles = {{0, 1, 2}};
+    return one;
+}
+
 TraversalCost
 cost_of(const scene::Scene& scene, scene::TraversalKind kind, std::optional<TriangleNumber> only) {
     auto variant = std::make_shared<scene::Scene>(scene);
     variant->settings.traversal = kind;
     pipeline::Frame frame(variant);
-    framebuffer::Framebuffer target(variant->settings);
+    NoPixels target;
     TraversalCost total;
     total.traversal = kind;
     CostTrace trace(total);
@@ -56,6 +80,37 @@ std::vector<TraversalCost> compare_traversals(
     std::vector<TraversalCost> costs;
     for (const Named<scene::TraversalKind>& kind : names<scene::TraversalKind>()) {
         costs.push_back(cost_of(*scene, kind.value, only));
+    }
+    return costs;
+}
+
+std::vector<TraversalCost>
+compare_traversals(const Recording& recording, const TriangleNumber& triangle) {
+    const pipeline::DrawCall& call = recording.frame->calls()[triangle.object];
+    const scene::TriangleIndices& indices = call.triangles()[triangle.triangle];
+    const scene::Mesh mesh = alone(*call.vertex.mesh, indices);
+    pipeline::DrawCall one{
+        .object = call.object,
+        .settings = call.settings,
+        .vertex = call.vertex,
+        .volume = call.volume,
+        .viewport = call.viewport,
+        .vertices = {},
+        .varyings = {}};
+    one.vertex.mesh = &mesh;
+    one.resize_vertices(3);
+    for (int corner = 0; corner < 3; ++corner) {
+        one.place_vertex(static_cast<std::size_t>(corner), call.clip_vertex(indices[corner]));
+    }
+
+    std::vector<TraversalCost> costs;
+    for (const Named<scene::TraversalKind>& kind : names<scene::TraversalKind>()) {
+        one.settings.traversal = kind.value;
+        TraversalCost& total = costs.emplace_back();
+        total.traversal = kind.value;
+        CostTrace trace(total);
+        NoPixels target;
+        pipeline::draw_triangle(one, 0, {}, target, trace);
     }
     return costs;
 }

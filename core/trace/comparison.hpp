@@ -4,6 +4,7 @@
 
 #include "core/raster/cost.hpp"
 #include "core/scene/scene.hpp"
+#include "core/trace/recording.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -28,5 +29,10 @@ struct TriangleNumber {
 std::vector<TraversalCost> compare_traversals(
     const std::shared_ptr<const scene::Scene>& scene, std::optional<TriangleNumber> only = {}
 );
+
+/// For one triangle of a recorded frame, whose vertices need not be shaded again however large its
+/// mesh is. Precondition: the triangle exists.
+std::vector<TraversalCost>
+compare_traversals(const Recording& recording, const TriangleNumber& triangle);
 
 } // namespace hs::trace

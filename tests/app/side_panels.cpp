@@ -54,7 +54,11 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
     CHECK(
         seen ==
         std::vector{
-            SidePanel::space, SidePanel::projection, SidePanel::precision, SidePanel::clipping}
+            SidePanel::space,
+            SidePanel::projection,
+            SidePanel::precision,
+            SidePanel::clipping,
+            SidePanel::cost}
     );
     CHECK(window->state().side == SidePanel::space);
     window->key(Key::d, true);
@@ -143,4 +147,21 @@ TEST_CASE("a lesson's hidden numbers stay hidden in the side panels", "[app]") {
         }
     }
     CHECK(changed > 2000);
+}
+
+TEST_CASE(
+    "the cost panel compares all traversals, and another one covers the same pixels", "[app]"
+) {
+    const auto window = with(test::two_layers);
+    window->viewer.state().side = SidePanel::cost;
+    REQUIRE_FALSE(window->viewer.go_to("object 0 / triangle 0 / outcodes"));
+    window->settle();
+    REQUIRE(window->viewer.document().traversal_costs().size() == 8);
+    const auto fragments = window->viewer.document().recording().fragments.size();
+    scene::Settings settings = window->viewer.document().recording().settings();
+    settings.traversal = scene::TraversalKind::hierarchical;
+    REQUIRE_FALSE(window->viewer.change_settings(settings));
+    window->settle();
+    CHECK(window->viewer.document().recording().fragments.size() == fragments);
+    CHECK(window->viewer.document().recording().counters.traversal.tiles > 0);
 }

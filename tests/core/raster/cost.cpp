@@ -137,12 +137,15 @@ TEST_CASE("the costs of a frame are the sum of its triangles'", "[raster][cost]"
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const auto scene = tests::random_scene(seed);
         const auto whole = trace::compare_traversals(scene);
+        const auto recording = trace::record(scene).value();
         for (std::size_t kind = 0; kind < whole.size(); ++kind) {
             Cost sum;
             for (std::uint32_t object = 0; object < scene->objects.size(); ++object) {
                 const std::size_t triangles = scene->objects[object].mesh->triangles.size();
                 for (std::uint32_t t = 0; t < triangles; ++t) {
-                    sum += trace::compare_traversals(scene, {{object, t}})[kind].cost;
+                    const Cost one = trace::compare_traversals(scene, {{object, t}})[kind].cost;
+                    CHECK(trace::compare_traversals(*recording, {object, t})[kind].cost == one);
+                    sum += one;
                 }
             }
             CHECK(sum == whole[kind].cost);
