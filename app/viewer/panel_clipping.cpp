@@ -78,11 +78,13 @@ void draw_outcodes(
     case OutcodeVerdict::undecided:
         words(
             theme,
-            fmt::format(
-                clips ? "Undecided: it is clipped by {}, in turn."
-                      : "Undecided: {} would cut it, but nothing is clipped.",
-                explain::plane_names(code)
-            )
+            clips ? fmt::format(
+                        "Undecided: it is clipped by {}, in turn.", explain::plane_names(code)
+                    )
+                  : fmt::format(
+                        "Undecided: {} would cut it, but nothing is clipped.",
+                        explain::plane_names(code)
+                    )
         );
         return;
     }
