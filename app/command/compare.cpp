@@ -20,7 +20,7 @@ double per_fragment(std::uint64_t count, const trace::TraversalCost& row) {
 
 std::string as_table(const std::vector<trace::TraversalCost>& rows) {
     std::string text = fmt::format(
-        "{:<14}{:>12}{:>12}{:>10}{:>14}{:>16}{:>12}{:>11}{:>12}\n",
+        "{:<14}{:>12}{:>12}{:>10}{:>14}{:>16}{:>12}{:>11}{:>14}\n",
         "traversal",
         "fragments",
         "pixels",
@@ -33,7 +33,7 @@ std::string as_table(const std::vector<trace::TraversalCost>& rows) {
     );
     for (const trace::TraversalCost& row : rows) {
         text += fmt::format(
-            "{:<14}{:>12}{:>12}{:>10}{:>14}{:>16}{:>12}{:>11}{:>12.2f}\n",
+            "{:<14}{:>12}{:>12}{:>10}{:>14}{:>16}{:>12}{:>11}{:>14.2f}\n",
             name_of(row.traversal),
             row.fragments,
             row.cost.pixels,

@@ -48,6 +48,20 @@ Result<Value> visits(const Recording& recording, const Subject& subject) {
     return count(recording, subject, [](const Counters& c) { return c.traversal.pixels; });
 }
 
+Result<Value> tile_tests(const Recording& recording, const Subject& subject) {
+    return count(recording, subject, [](const Counters& c) { return c.traversal.tiles; });
+}
+
+Result<Value> multiplications(const Recording& recording, const Subject& subject) {
+    return count(recording, subject, [](const Counters& c) {
+        return c.traversal.multiplications();
+    });
+}
+
+Result<Value> additions(const Recording& recording, const Subject& subject) {
+    return count(recording, subject, [](const Counters& c) { return c.traversal.additions(); });
+}
+
 template <fragment::FragmentFate fate>
 Result<Value> fated(const Recording& recording, const Subject& subject) {
     return count(recording, subject, [](const Counters& counters) {
@@ -98,12 +112,18 @@ std::span<const Quantity> frame_quantities() {
     using enum fragment::FragmentFate;
     constexpr QuantityOf frame = QuantityOf::frame;
     constexpr QuantityOf picture = QuantityOf::pixel;
-    static constexpr std::array<Quantity, 15> rows{{
+    static constexpr std::array<Quantity, 18> rows{{
         {"image width", frame, "pixels from left to right", image_width},
         {"image height", frame, "pixels from top to bottom", image_height},
         {"vertices", frame, "vertices that went through the vertex stage", vertices},
         {"triangles", frame, "triangles that entered clipping", counted<&Counters::triangles>},
         {"visits", frame, "pixels the traversal visits", visits},
+        {"tile tests", frame, "tiles held against the edges by their corners", tile_tests},
+        {"multiplications",
+         frame,
+         "those of the traversal, by docs/command-line.md",
+         multiplications},
+        {"additions", frame, "those of the traversal, by docs/command-line.md", additions},
         {"fragments", frame, "pixels found covered", counted<&Counters::fragments>},
         {"fragments written", frame, "fragments that changed their pixel", fated<written>},
         {"fragments failed", frame, "fragments that failed the depth test", fated<depth_failed>},

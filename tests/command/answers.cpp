@@ -89,6 +89,28 @@ TEST_CASE("render draws the picture that recording ends with", "[app][command]")
     CHECK(read_image(rendered).size() == 4 * 90 * 70);
 }
 
+TEST_CASE("compare lists what every traversal spends, as table and JSON", "[app][command]") {
+    const auto json = nlohmann::json::parse(answer({"compare", crossing, "--json"}));
+    REQUIRE(json.size() == names<scene::TraversalKind>().size());
+    CHECK(json[0]["traversal"] == "brute-force");
+    const std::uint64_t visits = json[0]["pixels_visited"];
+    const int pixels =
+        crossing_player().recording().width() * crossing_player().recording().height();
+    CHECK(visits == 2 * static_cast<std::uint64_t>(pixels)); // two triangles
+    CHECK(json[0]["multiplications"] == 6 * visits);
+    for (const nlohmann::json& row : json) {
+        CHECK(row["fragments"] == json[0]["fragments"]);
+    }
+
+    const auto one = nlohmann::json::parse(
+        answer({"compare", crossing, "--at", "object 1 / triangle 0", "--json"})
+    );
+    CHECK(one[0]["pixels_visited"] == pixels);
+    const std::string table = answer({"compare", crossing});
+    CHECK(std::count(table.begin(), table.end(), '\n') == 9);
+    CHECK(table.find("\nedge-walk ") != std::string::npos);
+}
+
 TEST_CASE("history tells a pixel's story as table, CSV and JSON", "[app][command]") {
     const std::string table = answer({"history", crossing, "--pixel", "30,30"});
     CHECK(table.find("object 1 / triangle 0") != std::string::npos);
