@@ -78,11 +78,13 @@ void draw_outcodes(
     case OutcodeVerdict::undecided:
         words(
             theme,
-            fmt::format(
-                clips ? "Undecided: it is clipped by {}, in turn."
-                      : "Undecided: {} would cut it, but nothing is clipped.",
-                explain::plane_names(code)
-            )
+            clips ? fmt::format(
+                        "Undecided: it is clipped by {}, in turn.", explain::plane_names(code)
+                    )
+                  : fmt::format(
+                        "Undecided: {} would cut it, but nothing is clipped.",
+                        explain::plane_names(code)
+                    )
         );
         return;
     }
@@ -289,6 +291,9 @@ void draw_pass(
                 attributes_text(cut.made)
             )
         );
+    }
+    if (story.cuts.empty()) {
+        caption(theme, "Planes before it have cut off what was outside: nothing is left to cut.");
     }
     draw_picture(theme, pass, story, settings.depth_convention);
     ImGui::Dummy({0.0F, theme.units(2)});
