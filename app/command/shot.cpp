@@ -152,6 +152,7 @@ Result<Done> shoot_step(
     if (const auto complaint = options.at.empty() ? std::nullopt : viewer.go_to(options.at)) {
         return Diagnostic{.file = "--at", .message = *complaint};
     }
+    host.settle(viewer); // the inspector has come along; what is asked for comes after it
     if (Result<Done> arranged = arrange(viewer.state(), options); !arranged) {
         return arranged;
     }

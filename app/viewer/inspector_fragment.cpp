@@ -75,8 +75,14 @@ void draw_life(Context& context, const trace::FragmentDetail& fragment) {
     const auto of_step = explain::formulas(
         context.document.player().detail(), context.document.player().current(), settings
     );
-    for (const explain::Formula& formula : explain::fragment_formulas(fragment, *piece, settings)) {
-        draw_formula(context, formula, is_of_step(formula, of_step));
+    // What this step computed comes first, so that it is in sight
+    const auto all = explain::fragment_formulas(fragment, *piece, settings);
+    for (const bool lit : {true, false}) {
+        for (const explain::Formula& formula : all) {
+            if (is_of_step(formula, of_step) == lit) {
+                draw_formula(context, formula, lit);
+            }
+        }
     }
 }
 

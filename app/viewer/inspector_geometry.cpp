@@ -270,10 +270,12 @@ void draw_triangle_tab(Context& context) {
     frame_if_pointed(context, {"verdict"});
     caption(theme, std::string{named(triangle->verdict).explanation} + ".");
     if (step.kind < trace::StepKind::edge_test) {
-        heading(theme, "This step");
         const auto list = explain::formulas(
             context.document.player().detail(), step, context.document.settings()
         );
+        if (!list.empty()) {
+            heading(theme, "This step");
+        }
         draw_step_formulas(context, list);
     }
     heading(theme, "Outcodes");

@@ -292,6 +292,9 @@ void draw_pass(
             )
         );
     }
+    if (story.cuts.empty()) {
+        caption(theme, "Planes before it have cut off what was outside: nothing is left to cut.");
+    }
     draw_picture(theme, pass, story, settings.depth_convention);
     ImGui::Dummy({0.0F, theme.units(2)});
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -117,7 +118,7 @@ void draw_setting(Context& context, const scene::SettingInfo& info) {
         tip += fmt::format("\nOpenGL: {}", info.opengl);
     }
     tooltip(tip);
-    ImGui::SameLine(theme.units(32));
+    ImGui::SameLine(std::min(theme.units(32), ImGui::GetWindowWidth() * 0.55F));
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::BeginDisabled(!why.empty());
     ImGui::BeginGroup();

@@ -105,13 +105,14 @@ void draw_cell(Context& context, const Cell& cell) {
     list.AddRectFilled({min.x, max.y - bar}, {max.x - theme.pixels(1), max.y}, hue);
     const float x = min.x + theme.units(2);
     const float room = cell.rect.width - theme.units(3);
-    const std::string name = shorten(theme.fonts.text, name_of(cell.stage), room);
+    const bool fits = text_size(theme.fonts.text, name_of(cell.stage)).x <= room;
+    ImFont* const font = fits ? theme.fonts.text : theme.fonts.small;
     draw_text(
         list,
-        theme.fonts.text,
+        font,
         {x, min.y + theme.units(1)},
         cell.lit ? hue : theme[Tone::text],
-        name
+        shorten(font, name_of(cell.stage), room)
     );
     const std::string counts =
         fitting(theme.fonts.small_mono, {cell.counts, cell.short_counts}, room);
@@ -123,18 +124,44 @@ void draw_cell(Context& context, const Cell& cell) {
     draw_text(list, theme.fonts.small_mono, at, theme[Tone::quiet], counts);
 }
 
-/// Forward first, then backward: a click always goes to the stage if the frame has it.
+/// The vertex stage of the vertex that the inspector shows of the current triangle.
+std::optional<trace::StepId> vertex_of_triangle(Context& context) {
+    const trace::VertexDetail* vertex = context.document.vertex_detail(context.state.corner);
+    if (vertex == nullptr) {
+        return std::nullopt;
+    }
+    const auto step = trace::find_step(
+        context.document.recording(),
+        fmt::format("vertex stage / object {} / vertex {}", vertex->object, vertex->vertex)
+    );
+    return step ? std::optional{*step} : std::nullopt;
+}
+
+/// Where a click leads: to the same triangle's earlier stages, else to the next such stage, else
+/// to the one before.
+std::optional<trace::StepId> find_stage(Context& context, trace::Stage stage) {
+    using trace::Direction;
+    trace::Player& player = context.document.player();
+    const trace::Step& current = player.current();
+    const bool earlier = current.in_triangle() && stage < trace::stage_of(current.kind);
+    if (earlier && stage == trace::Stage::vertex) {
+        if (const auto vertex = vertex_of_triangle(context)) {
+            return vertex;
+        }
+    }
+    const Direction first = earlier ? Direction::backward : Direction::forward;
+    const Direction second = earlier ? Direction::forward : Direction::backward;
+    const std::optional<trace::StepId> found = player.find_stage(stage, first);
+    return found ? found : player.find_stage(stage, second);
+}
+
 void go_to_stage(Context& context, trace::Stage stage) {
     trace::Player& player = context.document.player();
     if (stage == trace::Stage::application) {
         player.seek(0);
         return;
     }
-    std::optional<trace::StepId> found = player.find_stage(stage, trace::Direction::forward);
-    if (!found) {
-        found = player.find_stage(stage, trace::Direction::backward);
-    }
-    if (found) {
+    if (const std::optional<trace::StepId> found = find_stage(context, stage)) {
         player.seek(*found);
     } else {
         context.state.notice =

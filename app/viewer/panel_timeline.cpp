@@ -214,7 +214,7 @@ void draw_number(Context& context, const Rect& rect, float y) {
     ImFont* font = theme.fonts.mono;
     const float from = ImGui::GetItemRectMax().x + theme.units(3);
     const float right = rect.right() - theme.units(3);
-    const std::string shown = fitting(font, {of_all, number}, right - from);
+    const std::string shown = fitting(font, {of_all, number, ""}, right - from);
     const float x = right - text_size(font, shown).x;
     const float down = (ImGui::GetFrameHeight() - font->FontSize) * 0.5F;
     draw_text(*ImGui::GetWindowDrawList(), font, {x, y + down}, theme[Tone::text], shown);

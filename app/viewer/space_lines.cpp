@@ -86,12 +86,14 @@ void SpaceLines::meet(const Document& document) {
         document,
         SpaceView{},
         [&](const pipeline::DrawCall& call, const SpaceMap&, const scene::TriangleIndices& t) {
-            const auto vertex = static_cast<std::size_t>(t.a);
-            if (call.vertices[vertex].outcode == 0) {
-                const pipeline::Transforms& transforms = call.vertex.transforms;
-                const glm::vec4& position = call.vertex.mesh->positions[vertex];
-                const glm::vec4 eye = transforms.view.matrix * (transforms.model.matrix * position);
-                farthest = std::max(farthest, forward * eye.z);
+            const pipeline::Transforms& transforms = call.vertex.transforms;
+            for (const std::uint32_t vertex : {t.a, t.b, t.c}) {
+                if (call.vertices[vertex].outcode == 0) {
+                    const glm::vec4& position = call.vertex.mesh->positions[vertex];
+                    const glm::vec4 eye =
+                        transforms.view.matrix * (transforms.model.matrix * position);
+                    farthest = std::max(farthest, forward * eye.z);
+                }
             }
         }
     );

@@ -46,6 +46,22 @@ float side_share(const State& state) {
     return state.side == SidePanel::space ? 0.44F : 0.64F;
 }
 
+/// The tab of the inspector that is about a step.
+std::optional<InspectorTab> tab_about(const trace::Step& step) {
+    if (step.in_vertex_stage()) {
+        return InspectorTab::vertex;
+    }
+    if (step.in_triangle()) {
+        return step.has_pixel() ? InspectorTab::fragment : InspectorTab::triangle;
+    }
+    return std::nullopt;
+}
+
+bool is_about_steps(InspectorTab tab) {
+    return tab == InspectorTab::vertex || tab == InspectorTab::triangle ||
+           tab == InspectorTab::fragment;
+}
+
 } // namespace
 
 Viewer::Viewer()
@@ -172,6 +188,20 @@ void Viewer::follow_lesson() {
     }
     seek(session_->stand());
     apply_lesson_views(session_->step(), state_);
+    followed_ = tab_about(document_.player().current());
+}
+
+/// From vertices to triangles to fragments the inspector comes along; within each, and on tabs
+/// about something else, it stays where it was put.
+void Viewer::follow_step() {
+    if (!document_.is_open()) {
+        return;
+    }
+    const std::optional<InspectorTab> about = tab_about(document_.player().current());
+    if (about && about != followed_ && is_about_steps(state_.tab)) {
+        state_.tab = *about;
+    }
+    followed_ = about;
 }
 
 void Viewer::receive(Opened opened) {
@@ -277,6 +307,7 @@ void Viewer::draw(ImVec2 size, Textures& textures) {
     }
     follow_lesson();
     play(static_cast<double>(ImGui::GetIO().DeltaTime));
+    follow_step();
     move_on(state_.space, ImGui::GetIO().DeltaTime);
     theme_.kind = state_.theme;
     apply_style(theme_);

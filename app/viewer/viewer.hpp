@@ -104,6 +104,7 @@ private:
     void receive(Opened opened);
     void record_anew(std::shared_ptr<const scene::Scene> changed);
     void follow_lesson();
+    void follow_step();
     void remember(const std::filesystem::path& file);
     void step(trace::Granularity granularity, trace::Direction direction);
     void nudge(int dx, int dy);
@@ -129,6 +130,7 @@ private:
     Background background_;
     std::shared_ptr<lesson::Session> session_;
     unsigned lesson_revision_ = 0;
+    std::optional<InspectorTab> followed_; ///< the tab that suited the last step
     std::unique_ptr<LessonForm> lesson_form_;
     std::unique_ptr<ScreenPicture> picture_;
     std::unique_ptr<SpaceLines> lines_;

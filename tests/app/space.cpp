@@ -57,6 +57,40 @@ TEST_CASE("a distant far plane does not shrink the meshes", "[app]") {
     }
 }
 
+TEST_CASE("all of a visible triangle is in the picture, all the way to NDC", "[app]") {
+    constexpr std::string_view deep = R"(
+[settings]
+size = [16, 16]
+[camera]
+eye = [0, 0, 0]
+target = [0, 0, -1]
+projection = { kind = "perspective", fov_y = 60, near = 1, far = 1000 }
+[[object]]
+name = "triangle"
+vertices = [[-0.5, -0.5, -2], [0.5, -0.5, -2], [0, 3, -30]]
+polygons = [[0, 1, 2]]
+)";
+    Window window;
+    window.viewer.set_recording(test::record_text(deep));
+    viewer::SpaceLines lines;
+    viewer::SpaceView view;
+    view.area = {0.0F, 0.0F, 300.0F, 300.0F};
+    for (float morph = 0.0F; morph <= 2.0F; morph += 0.25F) {
+        for (const bool side : {false, true}) {
+            viewer::set_morph(view, morph);
+            view.side = side;
+            lines.update(window.viewer.document(), view);
+            INFO(morph << (side ? " from the side" : ""));
+            REQUIRE(lines.edges().size() == 3);
+            for (const auto& edge : lines.edges()) {
+                for (const ImVec2 end : edge) {
+                    CHECK((end.x >= 0.0F && end.x < 300.0F && end.y >= 0.0F && end.y < 300.0F));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("in NDC the view volume is the cube, wherever the far plane lies", "[app]") {
     const auto window = with_far_plane();
     viewer::SpaceView view;

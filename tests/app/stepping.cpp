@@ -83,6 +83,50 @@ TEST_CASE("a click on a stage of the strip goes to that stage", "[app]") {
     }
 }
 
+TEST_CASE("a click on an earlier stage stays with the triangle", "[app]") {
+    const auto window = Window::with_scene();
+    REQUIRE_FALSE(window->viewer.go_to("object 1 / triangle 0 / fragment 12,7 / depth test"));
+    window->settle();
+    const viewer::Rect strip = window->viewer.layout().strip;
+    const float width = strip.width / static_cast<float>(trace::stage_count);
+    for (const trace::Stage stage : {trace::Stage::setup, trace::Stage::clip}) {
+        const float x = width * (static_cast<float>(stage) + 0.5F);
+        window->click({x, strip.y + strip.height * 0.5F});
+        const trace::Step& step = window->viewer.document().player().current();
+        CHECK(trace::stage_of(step.kind) == stage);
+        CHECK(step.object == 1);
+        CHECK(step.triangle == 0);
+    }
+    const float x = width * (static_cast<float>(trace::Stage::vertex) + 0.5F);
+    const trace::VertexDetail* corner = window->viewer.document().vertex_detail(0);
+    REQUIRE(corner != nullptr);
+    const std::uint32_t vertex = corner->vertex;
+    window->click({x, strip.y + strip.height * 0.5F});
+    const trace::Step& step = window->viewer.document().player().current();
+    CHECK(step.in_vertex_stage());
+    CHECK(step.object == 1);
+    CHECK(step.vertex == vertex);
+}
+
+TEST_CASE("the inspector comes along from vertices to triangles to fragments", "[app]") {
+    using viewer::InspectorTab;
+    const auto window = Window::with_scene();
+    const auto tab_at = [&](const char* step) {
+        REQUIRE_FALSE(window->viewer.go_to(step));
+        window->settle();
+        return window->state().tab;
+    };
+    CHECK(tab_at("vertex stage / object 0 / vertex 1") == InspectorTab::vertex);
+    CHECK(tab_at("object 0 / triangle 0 / outcodes") == InspectorTab::triangle);
+    CHECK(tab_at("object 0 / triangle 0 / fragment 8,14 / depth test") == InspectorTab::fragment);
+    // What was chosen by hand stays within a kind of step
+    window->viewer.state().tab = InspectorTab::triangle;
+    CHECK(tab_at("object 0 / triangle 0 / fragment 9,14 / depth test") == InspectorTab::triangle);
+    // and on tabs about something else
+    window->viewer.state().tab = InspectorTab::state;
+    CHECK(tab_at("object 0 / triangle 0 / setup") == InspectorTab::state);
+}
+
 TEST_CASE("dragging along the timeline scrubs", "[app]") {
     const auto window = Window::with_scene();
     const viewer::Rect timeline = window->viewer.layout().timeline;
