@@ -79,13 +79,19 @@ std::vector<SpaceLine> space_lines(const VertexDetail& vertex) {
 void draw_spaces(Context& context, const VertexDetail& vertex) {
     const Theme& theme = context.theme;
     const UseFont use{theme.fonts.small_mono};
-    constexpr int column = 10; // characters
+    // Four columns beside the space's name, or below it where there is no room
+    constexpr int name_width = 8; // characters
     const float advance = text_size(theme.fonts.small_mono, "0").x;
+    const float start = ImGui::GetCursorPosX();
+    const bool beside = ImGui::GetContentRegionAvail().x >= advance * (name_width + 4 * 10);
+    const int column = beside ? 10 : 9;
     for (const SpaceLine& line : space_lines(vertex)) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::quiet]);
         ImGui::TextUnformatted(line.name.data(), line.name.data() + line.name.size());
         ImGui::PopStyleColor();
-        ImGui::SameLine(theme.units(13));
+        if (beside) {
+            ImGui::SameLine(start + advance * name_width);
+        }
         const bool hidden = hides_space(context.viewer, line.name);
         std::string text;
         for (const float value : line.values) {
@@ -95,12 +101,12 @@ void draw_spaces(Context& context, const VertexDetail& vertex) {
         ImGui::TextUnformatted(text.c_str());
         for (std::size_t i = 0; i < line.quantities.size(); ++i) {
             if (points_at(context.viewer, line.quantities[i])) {
-                const float x = at.x + advance * static_cast<float>(i * column);
+                const float x = at.x + advance * static_cast<float>(static_cast<int>(i) * column);
                 draw_pointing_frame(
                     *ImGui::GetWindowDrawList(),
                     theme,
                     {x, at.y},
-                    {x + advance * (column - 1), ImGui::GetItemRectMax().y}
+                    {x + advance * static_cast<float>(column - 1), ImGui::GetItemRectMax().y}
                 );
             }
         }

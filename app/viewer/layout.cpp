@@ -26,7 +26,7 @@ Layout make_layout(ImVec2 window, const Theme& theme, float side_share) {
     // In large type on a small window what is seen keeps half of the width
     const bool cramped = window.x < theme.units(300);
     const float left_width = share(0.21F, cramped ? 50.0F : 66.0F, 96.0F);
-    const float inspector_width = share(0.27F, cramped ? 70.0F : 86.0F, 120.0F);
+    const float inspector_width = share(0.27F, cramped ? 76.0F : 86.0F, 120.0F);
     l.left = {0.0F, top, left_width, height};
     l.inspector = {window.x - inspector_width, top, inspector_width, height};
     const float middle_x = left_width + hairline;

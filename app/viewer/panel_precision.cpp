@@ -28,14 +28,23 @@ DepthCurve shown_curve(const Context& context) {
     return explain::depth_curve(camera, context.document.recording().settings().depth_convention);
 }
 
-/// Where the close look is taken: at the current vertex, else in the middle of the depth values.
+/// The middle of what the frame shows, else of the depth values.
+double seen_distance(const Context& context, const DepthCurve& curve) {
+    const ValueRange& seen = context.document.ranges().depth;
+    const double middle = static_cast<double>(seen.low + seen.high) * 0.5;
+    const DepthCurve recorded = explain::depth_curve(
+        context.document.scene().camera, context.document.recording().settings().depth_convention
+    );
+    return middle > 0.0 && middle < 1.0 ? recorded.distance(middle)
+                                        : explain::distance_of_half(curve);
+}
+
+/// Where the close look is taken: at the current vertex, else at what the frame shows.
 double looked_at(const Context& context, const DepthCurve& curve) {
     const trace::VertexDetail* vertex = context.document.vertex_detail(context.state.corner);
-    if (vertex == nullptr) {
-        return explain::distance_of_half(curve);
-    }
     const float forward = scene::forward_sign(context.document.scene().camera);
-    const auto distance = static_cast<double>(forward * vertex->work.eye.z);
+    const double distance = vertex == nullptr ? seen_distance(context, curve)
+                                              : static_cast<double>(forward * vertex->work.eye.z);
     const bool between = distance > curve.near && distance < curve.far;
     return between ? distance : explain::distance_of_half(curve);
 }

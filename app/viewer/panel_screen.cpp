@@ -145,7 +145,8 @@ void draw_readout(Context& context, const Rect& rect) {
             {"click a pixel to pick it · wheel zooms · drag pans",
              "click picks · wheel zooms · drag pans",
              "click a pixel to pick it",
-             "click picks"},
+             "click picks",
+             ""},
             room
         );
         draw_text(list, theme.fonts.small, {rect.x, y}, theme[Tone::quiet], hint);

@@ -255,7 +255,7 @@ void draw_fighting(Context& context, const Canvas& canvas) {
     if (!context.state.show_side || context.state.side != SidePanel::precision) {
         return;
     }
-    const ImU32 color = canvas.theme.faded(Tone::fail, 0.75F);
+    const ImU32 color = canvas.theme.faded(Tone::selected, 0.6F);
     const float least = canvas.theme.pixels(2);
     int left = 20000; // more marks than anyone can tell apart
     for (const PixelPos pixel : context.document.fighting_pixels()) {

@@ -69,6 +69,7 @@ TEST_CASE("no side panel cuts its text, at any size, theme and camera", "[app]")
     for (const auto& [width, height, type] :
          {std::tuple{1280, 720, 1.0F},
           std::tuple{1920, 1080, 1.0F},
+          std::tuple{1280, 720, 1.5F},
           std::tuple{1920, 1080, 1.5F}}) {
         for (const std::string_view scene : {near_and_far, test::two_layers}) {
             const auto window = with(scene, width, height);
