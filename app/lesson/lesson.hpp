@@ -106,6 +106,7 @@ enum class View : std::uint8_t {
     projection,
     precision,
     clipping,
+    cost,
 };
 
 /// Which inspector to bring to the front.

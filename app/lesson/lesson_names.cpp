@@ -19,7 +19,7 @@ std::span<const Named<lesson::QuestionKind>> names<lesson::QuestionKind>() {
 template <>
 std::span<const Named<lesson::View>> names<lesson::View>() {
     using lesson::View;
-    static constexpr std::array<Named<View>, 18> table{{
+    static constexpr std::array<Named<View>, 19> table{{
         {View::unchanged, "unchanged", "as it was"},
         {View::color, "color", "the color buffer"},
         {View::depth, "depth", "the depth buffer"},
@@ -38,6 +38,7 @@ std::span<const Named<lesson::View>> names<lesson::View>() {
         {View::projection, "projection", "what the projection matrix does to one point"},
         {View::precision, "precision", "how depth values are spread"},
         {View::clipping, "clipping", "the triangle against each clip plane"},
+        {View::cost, "cost", "what the traversal spends, beside all others"},
     }};
     return table;
 }
