@@ -256,14 +256,15 @@ void draw_fighting(Context& context, const Canvas& canvas) {
         return;
     }
     const ImU32 color = canvas.theme.faded(Tone::selected, 0.6F);
-    const float least = canvas.theme.pixels(2);
-    int left = 20000; // more marks than anyone can tell apart
+    const float half = std::max(1.0F, canvas.view.zoom * 0.7F) * 0.5F;
+    const bool every_other = canvas.view.zoom < grid_zoom; // so that the picture shows through
+    int left = 20000;                                      // more marks than anyone can tell apart
     for (const PixelPos pixel : context.document.fighting_pixels()) {
-        if (!canvas.visible.contains(pixel) || left-- <= 0) {
+        const bool skipped = every_other && (pixel.x + pixel.y) % 2 != 0;
+        if (skipped || !canvas.visible.contains(pixel) || left-- <= 0) {
             continue;
         }
         const ImVec2 c = canvas.center(pixel);
-        const float half = std::max(least, canvas.view.zoom * 0.6F) * 0.5F;
         canvas.list.AddRectFilled({c.x - half, c.y - half}, {c.x + half, c.y + half}, color);
     }
 }
