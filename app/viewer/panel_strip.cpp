@@ -14,6 +14,11 @@
 namespace hs::viewer {
 namespace {
 
+/// For large type: the only name that does not fit everywhere.
+std::string_view short_name(trace::Stage stage) {
+    return stage == trace::Stage::application ? "app" : name_of(stage);
+}
+
 /// What a stage took in and gave out, and what is counted.
 struct Flow {
     std::uint64_t in = 0;
@@ -112,7 +117,7 @@ void draw_cell(Context& context, const Cell& cell) {
         font,
         {x, min.y + theme.units(1)},
         cell.lit ? hue : theme[Tone::text],
-        shorten(font, name_of(cell.stage), room)
+        fitting(font, {name_of(cell.stage), short_name(cell.stage)}, room)
     );
     const std::string counts =
         fitting(theme.fonts.small_mono, {cell.counts, cell.short_counts}, room);

@@ -14,7 +14,7 @@
 namespace hs::viewer {
 namespace {
 
-constexpr float path_zoom = 5.0F;  ///< window pixels per image pixel from which a path can be seen
+constexpr float path_zoom = 8.0F;  ///< window pixels per image pixel from which a path can be seen
 constexpr float label_zoom = 20.0F; ///< from which numbers find room
 constexpr std::array edge_names{"E01", "E12", "E20"};
 
