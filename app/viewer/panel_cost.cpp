@@ -89,17 +89,10 @@ void draw_traversal_row(
         per_fragment(cost.cost.pixels, cost.fragments)
     );
     draw_text(
-        list,
-        theme.fonts.small_mono,
-        {start.x + indent, start.y + line},
-        theme[Tone::quiet],
-        visits
+        list, theme.fonts.small_mono, {start.x + indent, start.y + line}, theme[Tone::quiet], visits
     );
     const std::string arithmetic = fmt::format(
-        "{} ×  {} +  {} ÷",
-        cost.cost.multiplications(),
-        cost.cost.additions(),
-        cost.cost.divisions
+        "{} ×  {} +  {} ÷", cost.cost.multiplications(), cost.cost.additions(), cost.cost.divisions
     );
     draw_text(
         list,

@@ -14,7 +14,7 @@
 namespace hs::viewer {
 namespace {
 
-constexpr float path_zoom = 8.0F;  ///< window pixels per image pixel from which a path can be seen
+constexpr float path_zoom = 8.0F;   ///< window pixels per image pixel from which a path can be seen
 constexpr float label_zoom = 20.0F; ///< from which numbers find room
 constexpr std::array edge_names{"E01", "E12", "E20"};
 
@@ -26,8 +26,7 @@ struct Sheet {
     float zoom;
 
     [[nodiscard]] ImVec2 at(double x, double y) const {
-        return {
-            origin.x + static_cast<float>(x) * zoom, origin.y + static_cast<float>(y) * zoom};
+        return {origin.x + static_cast<float>(x) * zoom, origin.y + static_cast<float>(y) * zoom};
     }
     [[nodiscard]] ImVec2 center(PixelPos p) const { return at(p.x + 0.5, p.y + 0.5); }
 };
@@ -150,12 +149,11 @@ void label_scanline(Context& context, const Sheet& sheet) {
 void draw_traversal(Context& context) {
     const trace::Trail& trail = context.document.trail();
     const ScreenView& view = context.state.screen;
-    const Sheet sheet{
-        *ImGui::GetWindowDrawList(), context.theme, image_origin(view), view.zoom};
+    const Sheet sheet{*ImGui::GetWindowDrawList(), context.theme, image_origin(view), view.zoom};
     const trace::Step& step = context.document.player().current();
     for (const raster::TileTest& tile : trail.tiles) {
-        const bool current = step.kind == trace::StepKind::tile_test &&
-                             tile.origin == step.pixel && tile.size == step.tile_size;
+        const bool current = step.kind == trace::StepKind::tile_test && tile.origin == step.pixel &&
+                             tile.size == step.tile_size;
         draw_tile(sheet, tile, current);
     }
     for (const raster::Span& span : trail.spans) {

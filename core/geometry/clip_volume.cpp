@@ -39,10 +39,13 @@ ClipVolume clip_volume(const scene::Settings& settings, const glm::mat4& project
     case scene::DepthConvention::direct3d: volume.planes = {z_from_zero, z_to_w}; break;
     case scene::DepthConvention::reversed: volume.planes = {z_to_w, z_from_zero}; break;
     }
-    volume.planes[2] = {1.0F, 0.0F, 0.0F, 1.0F};
-    volume.planes[3] = {-1.0F, 0.0F, 0.0F, 1.0F};
-    volume.planes[4] = {0.0F, 1.0F, 0.0F, 1.0F};
-    volume.planes[5] = {0.0F, -1.0F, 0.0F, 1.0F};
+
+    // The sides; with a guard band farther out, so that few triangles need to be cut there
+    const float g = settings.guard_band;
+    volume.planes[2] = {1.0F, 0.0F, 0.0F, g};
+    volume.planes[3] = {-1.0F, 0.0F, 0.0F, g};
+    volume.planes[4] = {0.0F, 1.0F, 0.0F, g};
+    volume.planes[5] = {0.0F, -1.0F, 0.0F, g};
 
     // Carry user planes to clip space: a plane row vector h with h·p_eye = h·P⁻¹·p_clip
     const std::size_t user_planes = std::min<std::size_t>(settings.clip_planes.size(), 2);

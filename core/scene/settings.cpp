@@ -174,6 +174,15 @@ Complaint assign_depth_clear(Settings& settings, std::string_view key, const Set
     return std::nullopt;
 }
 
+Complaint assign_guard_band(Settings& settings, std::string_view key, const SettingValue& value) {
+    const std::optional<float> times = to_float(value);
+    if (!times || *times < 1.0F || *times > 64.0F) {
+        return must_be(key, "a number from 1 to 64", value);
+    }
+    settings.guard_band = *times;
+    return std::nullopt;
+}
+
 Complaint assign_depth_test(Settings& settings, std::string_view key, const SettingValue& value) {
     CompareOp op = CompareOp::less;
     Complaint complaint = assign_choice(op, key, value);
@@ -268,6 +277,17 @@ std::vector<Row> geometry_rows() {
         boolean_row<&Settings::clip_enabled>(
             {"clip.enabled", "whether triangles are clipped against the view volume", ""}
         ),
+        {info(
+             {"guard_band",
+              "how many times wider and higher than the view volume the sides that clip are; what "
+              "reaches beyond the image is cut by the bounding box instead",
+              ""},
+             SettingType::number
+         ),
+         assign_guard_band,
+         [](const Settings& settings) {
+             return SettingValue{static_cast<double>(settings.guard_band)};
+         }},
         {info(
              {"clip.planes",
               "further planes [a, b, c, d] in eye space that cut away where ax + by + cz + d < 0",

@@ -110,6 +110,7 @@ struct Settings {
     TraversalKind traversal = TraversalKind::bounding_box;
     int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
     bool clip_enabled = true;
+    float guard_band = 1.0F; ///< triangles are clipped at the sides of so many view volumes, 1 … 64
     std::vector<glm::vec4>
         clip_planes; ///< user planes in eye space, inside where ax + by + cz + d >= 0; at most 2
     CullFace cull = CullFace::none;

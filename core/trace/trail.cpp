@@ -47,8 +47,7 @@ public:
     }
     /// A pixel inside a span or an accepted tile becomes a fragment without being asked.
     void interpolated(const raster::Fragment& fragment) {
-        const bool asked =
-            !trail_.visits.empty() && trail_.visits.back().pixel == fragment.pixel;
+        const bool asked = !trail_.visits.empty() && trail_.visits.back().pixel == fragment.pixel;
         if (!reached_ && !asked) {
             trail_.visits.push_back({fragment.pixel, true});
         }

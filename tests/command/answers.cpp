@@ -239,7 +239,8 @@ TEST_CASE(
 }
 
 TEST_CASE("a command that is interrupted leaves nothing and dies of the signal", "[app][command]") {
-    // A large frame, so that a second is not enough; `timeout` reports 128 + the signal
+    // A large frame, so that a second is not enough; `timeout` reports 128 + the signal. In the
+    // foreground it sends one signal, else a second to the whole group: the second kills at once
     const TemporaryFolder folder;
     const auto scene = folder.write(
         "scene.toml",
@@ -248,7 +249,7 @@ TEST_CASE("a command that is interrupted leaves nothing and dies of the signal",
     );
     const Outcome outcome = run_program(
         {"record", scene.string(), "-o", (folder / "trace.npz").string()},
-        "timeout --preserve-status --signal=INT 1 "
+        "timeout --foreground --preserve-status --signal=INT 1 "
     );
     CHECK(outcome.status == 130);
     CHECK(folder.names() == std::vector<std::string>{"scene.toml"});

@@ -46,7 +46,9 @@ std::vector<T> values_of(const std::string& member) {
     const std::size_t header = 10 + static_cast<unsigned char>(member.at(8)) +
                                256U * static_cast<unsigned char>(member.at(9));
     std::vector<T> values((member.size() - header) / sizeof(T));
-    std::memcpy(values.data(), member.data() + header, values.size() * sizeof(T));
+    if (!values.empty()) { // an empty vector may have no storage to point at
+        std::memcpy(values.data(), member.data() + header, values.size() * sizeof(T));
+    }
     return values;
 }
 

@@ -23,6 +23,9 @@ scene::Settings random_settings(Random& random) {
     s.tile_size = 2 << random.below(6);
     s.clip_enabled = !random.one_in(5);
     if (random.one_in(4)) {
+        s.guard_band = random.between(1.0F, 3.0F);
+    }
+    if (random.one_in(4)) {
         s.clip_planes.emplace_back(1.0F, 0.5F, 0.25F, random.between(-1.0F, 3.0F));
     }
     s.cull = any<scene::CullFace>(random, 3);

@@ -83,3 +83,13 @@ TEST_CASE("user planes in eye space clip where they stand", "[geometry][clip]") 
     CHECK(user_bits({0, 0.4F, -5, 1}) == bit(ClipPlane::user0));
     CHECK(user_bits({-2.1F, 0.6F, -5, 1}) == bit(ClipPlane::user1));
 }
+
+TEST_CASE("a guard band moves the sides and nothing else", "[geometry][clip]") {
+    scene::Settings settings;
+    settings.guard_band = 4.0F;
+    const geometry::ClipVolume volume = geometry::clip_volume(settings, glm::mat4{1.0F});
+    CHECK(geometry::outcode(volume, {3.9F, -4.0F, 0.0F, 1.0F}) == 0);
+    CHECK(geometry::outcode(volume, {4.1F, 0.0F, 0.0F, 1.0F}) == 1U << 3U);
+    CHECK(geometry::outcode(volume, {0.0F, -4.1F, 0.0F, 1.0F}) == 1U << 4U);
+    CHECK(geometry::outcode(volume, {0.0F, 0.0F, 1.1F, 1.0F}) == 1U << 1U);
+}

@@ -1,5 +1,6 @@
 #include "core/pipeline/draw.hpp"
 
+#include "core/trace/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/soup_scene.hpp"
 
@@ -258,4 +259,28 @@ TEST_CASE("threads change nothing, neither of vertices nor of rows", "[pipeline]
     }
     CHECK(digests[1] == digests[0]);
     CHECK(digests[2] == digests[0]);
+}
+
+TEST_CASE(
+    "within the guard band nothing is cut, and nothing is drawn beyond the image", "[pipeline]"
+) {
+    // Reaches three view volumes to every side; all of it lies between near and far
+    const tests::Soup soup{
+        {{-3.0F, -2.5F, 0.0F, 1.0F}, red},
+        {{3.0F, -1.0F, 0.5F, 1.0F}, white},
+        {{0.3F, 3.0F, 0.2F, 1.0F}, red}};
+    scene::Settings settings = settings_of(37, 23);
+    settings.guard_band = 3.0F;
+    const auto guarded = trace::record(tests::soup_scene(soup, settings)).value();
+    CHECK(guarded->counters.clipped == 0);
+
+    // Where every vertex is in front of the eye, not clipping at all draws the very same picture
+    settings.clip_enabled = false;
+    const auto unclipped = trace::record(tests::soup_scene(soup, settings)).value();
+    CHECK(guarded->digest() == unclipped->digest());
+    CHECK(guarded->fragments.size() > 100);
+
+    settings.clip_enabled = true;
+    settings.guard_band = 2.0F;
+    CHECK(trace::record(tests::soup_scene(soup, settings)).value()->counters.clipped == 1);
 }

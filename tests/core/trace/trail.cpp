@@ -28,8 +28,8 @@ struct Gathered {
 
     void add(const trace::Step& step) {
         const bool asked = step.kind == StepKind::edge_test || step.kind == StepKind::plane_test;
-        const bool known = step.kind == StepKind::interpolate &&
-                           (visits.empty() || visits.back() != step.pixel);
+        const bool known =
+            step.kind == StepKind::interpolate && (visits.empty() || visits.back() != step.pixel);
         if (asked || known) {
             visits.push_back(step.pixel);
         }
@@ -57,10 +57,10 @@ TEST_CASE("a trail holds what the steps before it told, under every traversal", 
             }
             const bool same =
                 std::ranges::equal(trail.visits, gathered.visits, {}, &trace::TrailVisit::pixel);
-            wrong += same && trail.tiles.size() == gathered.tiles &&
-                             trail.spans.size() == gathered.spans
-                         ? 0
-                         : 1;
+            wrong +=
+                same && trail.tiles.size() == gathered.tiles && trail.spans.size() == gathered.spans
+                    ? 0
+                    : 1;
         }
         CHECK(wrong == 0);
         CHECK(gathered.visits.size() >= recording->fragments.size());
@@ -70,8 +70,7 @@ TEST_CASE("a trail holds what the steps before it told, under every traversal", 
 TEST_CASE("the trail of a large piece begins with the step's unit", "[trace]") {
     const auto recording = recorded(scene::TraversalKind::bounding_box);
     trace::Player player(recording);
-    const auto step =
-        trace::find_step(*recording, "object 0 / triangle 0 / pixel 8,9").value();
+    const auto step = trace::find_step(*recording, "object 0 / triangle 0 / pixel 8,9").value();
     player.seek(step);
     const trace::Trail trail = trace::trail(*recording, player.current(), 20);
     CHECK_FALSE(trail.whole);
