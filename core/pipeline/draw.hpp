@@ -40,9 +40,12 @@ struct TriangleScope {
     }
 };
 
+// What follows up to `draw_fragment` runs per fragment, where a call costs as much as the work: it
+// is inlined whatever the compiler thinks of its size.
+
 /// Test: scissor, then depth. `depth` is the fragment's depth as the format stores it.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
-fragment::FragmentFate test_fragment(
+[[gnu::always_inline]] inline fragment::FragmentFate test_fragment(
     const DrawCall& call, PixelPos pixel, float depth, const Target& target, Trace& trace
 ) {
     if (call.settings.scissor) {
@@ -66,7 +69,7 @@ fragment::FragmentFate test_fragment(
 
 /// Merge: blend the color into the pixel, replace its depth.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
-void merge_fragment(
+[[gnu::always_inline]] inline void merge_fragment(
     const DrawCall& call,
     PixelPos pixel,
     const glm::vec4& color,
@@ -139,7 +142,7 @@ struct FragmentOutcome {
 /// Interpolate, then shade and test in the order the settings ask for. `fragment` is placed,
 /// `interpolate(fragment)` gives it its varyings; `depth` is its depth as the format stores it.
 template <TraceSink Trace, framebuffer::PixelTarget Target, typename Interpolate>
-FragmentOutcome shade_and_test(
+[[gnu::always_inline]] inline FragmentOutcome shade_and_test(
     const DrawCall& call,
     raster::Fragment& fragment,
     const Interpolate& interpolate,
@@ -172,7 +175,7 @@ FragmentOutcome shade_and_test(
 /// the color, so they wait until a fragment has passed its tests, whenever the settings say that
 /// they happen.
 template <IgnoresValues Trace, framebuffer::PixelTarget Target, typename Interpolate>
-FragmentOutcome shade_and_test(
+[[gnu::always_inline]] inline FragmentOutcome shade_and_test(
     const DrawCall& call,
     raster::Fragment& fragment,
     const Interpolate& interpolate,
@@ -199,7 +202,7 @@ FragmentOutcome shade_and_test(
 
 /// One covered pixel: its fragment, placed already, is colored, tested and merged.
 template <TraceSink Trace, framebuffer::PixelTarget Target, typename Interpolate>
-void draw_fragment(
+[[gnu::always_inline]] inline void draw_fragment(
     const DrawCall& call,
     raster::Fragment fragment,
     const Interpolate& interpolate,
