@@ -31,13 +31,13 @@ void draw_counts(Context& context) {
     };
     line("pixels visited", a.pixels, b.pixels);
     line("tiles tested", a.tiles, b.tiles);
-    line("edge evaluations", a.evaluations, b.evaluations);
-    line("multiplications", a.multiplications(), b.multiplications());
-    line("additions", a.additions(), b.additions());
-    line("divisions", a.divisions, b.divisions);
-    line("pixels covered", now.fragments, all.fragments);
+    line("evaluations", a.evaluations, b.evaluations);
+    line("multiplied", a.multiplications(), b.multiplications());
+    line("added", a.additions(), b.additions());
+    line("divided", a.divisions, b.divisions);
+    line("covered", now.fragments, all.fragments);
     row(theme,
-        "visited per covered",
+        "per covered",
         fmt::format(
             "{:.2f}, frame {:.2f}",
             per_fragment(a.pixels, now.fragments),

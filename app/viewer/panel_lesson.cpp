@@ -90,7 +90,7 @@ std::string answer_text(const lesson::Question& question, const lesson::Answer& 
     if (!answer.value) {
         return "I don't know";
     }
-    const std::string printed = lesson::print_value(*answer.value);
+    std::string printed = lesson::print_value(*answer.value);
     for (const lesson::Choice& choice : question.choices) {
         if (choice.value == printed) {
             return choice.text;

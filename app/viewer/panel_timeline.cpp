@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace hs::viewer {
@@ -31,7 +32,8 @@ struct Scale {
         const double part = std::clamp(
             static_cast<double>(position - rect.x) / static_cast<double>(rect.width), 0.0, 1.0
         );
-        return first + static_cast<trace::StepId>(part * static_cast<double>(last - first) + 0.5);
+        return first +
+               static_cast<trace::StepId>(std::llround(part * static_cast<double>(last - first)));
     }
 };
 

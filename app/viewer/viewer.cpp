@@ -137,7 +137,7 @@ std::optional<std::string> Viewer::go_to(std::string_view path) {
 }
 
 std::optional<std::string> Viewer::change_settings(const scene::Settings& settings) {
-    if (const std::optional<std::string> complaint = scene::check_combination(settings)) {
+    if (std::optional<std::string> complaint = scene::check_combination(settings)) {
         return complaint;
     }
     auto changed = std::make_shared<scene::Scene>(document_.scene());

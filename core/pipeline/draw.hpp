@@ -443,22 +443,28 @@ void run_vertex_stage(DrawCall& call, Trace& trace, unsigned threads = 1) {
     }
 }
 
-/// Every triangle of a frame on several threads, without a story: each thread draws its rows.
+/// The rows of a band, of every triangle, without a story.
+template <framebuffer::PixelTarget Target>
+void draw_band(const Frame& frame, const PixelRect& band, Target& target) {
+    NullTrace nothing;
+    for (const DrawCall& call : frame.calls()) {
+        const std::vector<ShadedVertex>& v = call.vertices;
+        for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
+            const scene::TriangleIndices& t = call.triangles()[i];
+            if (!misses(band, v[t.a], v[t.b], v[t.c])) {
+                draw_triangle(call, i, {.band = band}, target, nothing);
+            }
+        }
+    }
+}
+
+/// Every triangle of a frame on several threads: each draws its own rows.
 template <framebuffer::PixelTarget Target>
 void draw_bands(const Frame& frame, Target& target, unsigned threads) {
     const std::vector<PixelRect> bands = balanced_bands(frame, threads);
     parallel_ranges(bands.size(), threads, 1, [&](std::size_t first, std::size_t last) {
-        NullTrace nothing;
-        for (std::size_t band = first; band < last; ++band) {
-            for (const DrawCall& call : frame.calls()) {
-                for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
-                    const scene::TriangleIndices& t = call.triangles()[i];
-                    const std::vector<ShadedVertex>& v = call.vertices;
-                    if (!misses(bands[band], v[t.a], v[t.b], v[t.c])) {
-                        draw_triangle(call, i, {.band = bands[band]}, target, nothing);
-                    }
-                }
-            }
+        for (std::size_t i = first; i < last; ++i) {
+            draw_band(frame, bands[i], target);
         }
     });
 }

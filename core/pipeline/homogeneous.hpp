@@ -85,6 +85,7 @@ PlanesOrVerdict set_up_across_eye(
 /// `draw(fragment)` for every covered pixel of `region`. `interpolants` are those of the vertices
 /// as they are.
 template <TraceSink Trace, typename Draw>
+// NOLINTNEXTLINE(readability-function-size): a stage is handed all it needs, and looks up nothing
 geometry::TriangleVerdict draw_homogeneous(
     const DrawCall& call,
     const HomogeneousTriangle& triangle,
