@@ -2,6 +2,7 @@
 #include "app/viewer/theme.hpp"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -87,9 +88,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale) {
     constexpr float small_size = 15.0F;
     constexpr float mono_size = 16.0F;
     constexpr float small_mono_size = 14.0F;
-    const auto pixels = [scale](float size) {
-        return static_cast<float>(static_cast<int>(size * scale + 0.5F));
-    };
+    const auto pixels = [scale](float size) { return std::round(size * scale); };
 
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoBakedLines;

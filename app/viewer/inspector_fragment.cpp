@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace hs::viewer {
 namespace {
 
@@ -44,12 +46,9 @@ void draw_visit(Context& context, const trace::VisitDetail& visit) {
 
 /// Which of a fragment's formulas the current step computed.
 bool is_of_step(const explain::Formula& formula, std::span<const explain::Formula> step) {
-    for (const explain::Formula& lit : step) {
-        if (lit.title == formula.title) {
-            return true;
-        }
-    }
-    return false;
+    return std::ranges::any_of(step, [&formula](const explain::Formula& lit) {
+        return lit.title == formula.title;
+    });
 }
 
 void draw_life(Context& context, const trace::FragmentDetail& fragment) {

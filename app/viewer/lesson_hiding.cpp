@@ -23,7 +23,7 @@ std::size_t space_of(std::string_view quantity) {
     if (quantity.starts_with("snapped") || quantity.starts_with("fixed")) {
         return spaces.size() - 1;
     }
-    const auto found = std::ranges::find_if(spaces, [quantity](std::string_view space) {
+    const auto* const found = std::ranges::find_if(spaces, [quantity](std::string_view space) {
         return quantity.starts_with(space);
     });
     return static_cast<std::size_t>(found - spaces.begin());

@@ -194,8 +194,8 @@ void draw_strip(Context& context, const Rect& rect) {
             .counts = "–",
             .short_counts = "–",
             .tip = ""};
-        const float x0 = static_cast<float>(static_cast<int>(width * static_cast<float>(i)));
-        const float x1 = static_cast<float>(static_cast<int>(width * static_cast<float>(i + 1)));
+        const auto x0 = static_cast<float>(static_cast<int>(width * static_cast<float>(i)));
+        const auto x1 = static_cast<float>(static_cast<int>(width * static_cast<float>(i + 1)));
         cell.rect = {rect.x + x0, rect.y, x1 - x0, rect.height};
         cell.tip = std::string{named(stage).explanation} + ".";
         if (open) {

@@ -367,7 +367,8 @@ void draw_pixels(Context& context, const ScreenPicture& picture) {
     const PixelRect image = context.document.recording().settings().image();
     const int block = picture.block();
     const auto texels = [block](int size) {
-        return static_cast<float>((size + block - 1) / block * block);
+        const int blocks = (size + block - 1) / block;
+        return static_cast<float>(blocks * block);
     };
     const float width = texels(image.width());
     const float height = texels(image.height());

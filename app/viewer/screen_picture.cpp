@@ -52,7 +52,11 @@ void ScreenPicture::resize(const PixelRect& image, Textures& textures) {
     const int width = rounded_up(image.width(), block_);
     const int height = rounded_up(image.height(), block_);
     tile_columns_ = rounded_up(width, tile);
-    stale_.assign(static_cast<std::size_t>(tile_columns_ * rounded_up(height, tile)), true);
+    stale_.assign(
+        static_cast<std::size_t>(tile_columns_) *
+            static_cast<std::size_t>(rounded_up(height, tile)),
+        true
+    );
     if (texture_ != nullptr && width == width_ && height == height_) {
         return;
     }

@@ -23,7 +23,7 @@ struct Sheet {
     ImDrawList& list;
     const Theme& theme;
     ImVec2 origin;
-    float zoom;
+    float zoom = 1.0F;
 
     [[nodiscard]] ImVec2 at(double x, double y) const {
         return {origin.x + static_cast<float>(x) * zoom, origin.y + static_cast<float>(y) * zoom};

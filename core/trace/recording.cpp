@@ -39,20 +39,27 @@ std::size_t Recording::bytes() const {
     return total + PixelBuffer::bytes_together(buffers);
 }
 
+namespace {
+
+void add_color(Digest& digest, const PixelBuffer& pixels, PixelPos p) {
+    if (!pixels.float_color()) {
+        digest.add(pixels[p].color);
+        return;
+    }
+    const glm::vec4 color = pixels.color(p);
+    for (const float channel : {color.r, color.g, color.b, color.a}) {
+        digest.add(channel);
+    }
+}
+
+} // namespace
+
 std::uint64_t Recording::digest() const {
     Digest digest;
     for (int y = 0; y < height(); ++y) {
         for (int x = 0; x < width(); ++x) {
-            const PixelRecord& pixel = final_pixels[{x, y}];
-            if (!float_color()) {
-                digest.add(pixel.color);
-            } else {
-                const glm::vec4 color = final_pixels.color({x, y});
-                for (const float channel : {color.r, color.g, color.b, color.a}) {
-                    digest.add(channel);
-                }
-            }
-            digest.add(pixel.depth);
+            add_color(digest, final_pixels, {x, y});
+            digest.add(final_pixels[{x, y}].depth);
         }
     }
     return digest.value();
