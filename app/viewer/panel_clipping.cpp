@@ -20,15 +20,6 @@ using explain::number;
 using explain::OutcodeVerdict;
 using geometry::ClipPlane;
 
-void small_mono(const Theme& theme, const std::string& text, Tone tone = Tone::text) {
-    const UseFont use{theme.fonts.small_mono};
-    ImGui::PushStyleColor(ImGuiCol_Text, theme[tone]);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 std::string bits(unsigned code, int planes) {
     std::string text;
     for (int k = 0; k < planes; ++k) {

@@ -57,15 +57,6 @@ std::string entry_text(float value) {
     return value == 0.0F ? "0" : fmt::format("{:.3g}", value);
 }
 
-void small_mono(const Theme& theme, const std::string& text, Tone tone = Tone::text) {
-    const UseFont use{theme.fonts.small_mono};
-    ImGui::PushStyleColor(ImGuiCol_Text, theme[tone]);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 constexpr int entry_width = 7; // characters
 
 void draw_entries(const Theme& theme, const glm::mat4& m) {

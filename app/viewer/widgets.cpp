@@ -65,6 +65,15 @@ void mono(const Theme& theme, std::string_view text, Tone tone) {
     wrapped(theme.fonts.mono, text, theme[tone]);
 }
 
+void small_mono(const Theme& theme, std::string_view text, Tone tone) {
+    const UseFont use{theme.fonts.small_mono};
+    ImGui::PushStyleColor(ImGuiCol_Text, theme[tone]);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
 void row(const Theme& theme, std::string_view label, std::string_view value, Tone tone) {
     const float column = ImGui::GetCursorPosX() + theme.units(24);
     wrapped(theme.fonts.text, label, theme[Tone::quiet]);

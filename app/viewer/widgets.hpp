@@ -36,6 +36,8 @@ void caption(const Theme& theme, std::string_view text, Tone tone = Tone::quiet)
 void heading(const Theme& theme, std::string_view text);
 /// Numbers and formulas, wrapped.
 void mono(const Theme& theme, std::string_view text, Tone tone = Tone::text);
+/// The same in small type.
+void small_mono(const Theme& theme, std::string_view text, Tone tone = Tone::text);
 /// A label and a monospaced value in two columns; the value wraps below itself.
 void row(
     const Theme& theme, std::string_view label, std::string_view value, Tone tone = Tone::text

@@ -217,7 +217,7 @@ TEST_CASE(
 ) {
     const std::string help = answer({"--help"});
     for (const char* command :
-         {"open", "render", "record", "export", "history", "shot", "check", "bench"}) {
+         {"open", "render", "record", "export", "history", "compare", "shot", "check", "bench"}) {
         INFO(command);
         CHECK(help.find(std::string{"\n  "} + command) != std::string::npos);
         const std::string own = answer({command, "--help"});
