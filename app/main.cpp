@@ -61,6 +61,7 @@ std::vector<Command> add_commands(CLI::App& program, const Common& common) {
         add_record(program, common),
         add_export(program, common),
         add_history(program, common),
+        add_query(program, common),
         add_compare(program, common),
         add_shot(program, common),
         add_check(program, common),

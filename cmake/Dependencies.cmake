@@ -34,6 +34,7 @@ need_package(tomlplusplus libtomlplusplus-dev)
 need_package(nlohmann_json nlohmann-json3-dev)
 need_module(OpenImageIO OpenImageIO libopenimageio-dev) # its CMake package names a missing folder
 need_module(libzip libzip libzip-dev)
+need_module(lua lua5.4 liblua5.4-dev)
 need_module(md4c md4c libmd4c-dev) # its CMake package is a fatal error
 
 if(BUILD_APP)

@@ -26,6 +26,7 @@ Command add_render(CLI::App& program, const Common& common);
 Command add_record(CLI::App& program, const Common& common);
 Command add_export(CLI::App& program, const Common& common);
 Command add_history(CLI::App& program, const Common& common);
+Command add_query(CLI::App& program, const Common& common);
 Command add_shot(CLI::App& program, const Common& common);
 Command add_compare(CLI::App& program, const Common& common);
 Command add_check(CLI::App& program, const Common& common);

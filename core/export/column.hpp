@@ -77,6 +77,8 @@ Table triangle_table(const SharedRecording& recording);
 Table fragment_table(const SharedRecording& recording, std::uint32_t fragments);
 /// The runs these fragments belong to.
 Table run_table(const SharedRecording& recording, std::uint32_t fragments);
+/// Every step up to and including `last`.
+Table step_table(const SharedRecording& recording, trace::StepId last);
 Table counter_table(const trace::Counters& counters);
 /// Of the triangle the player stands on, else of the frame.
 Table traversal_table(const trace::Player& player);

@@ -27,6 +27,9 @@ Table runs_at(const Player& player) {
 Table counters_at(const Player& player) {
     return counter_table(player.counters());
 }
+Table steps_at(const Player& player) {
+    return step_table(player.shared_recording(), player.step());
+}
 Table pieces_at(const Player& player) {
     return piece_tables(player.shared_recording()).pieces;
 }
@@ -34,7 +37,7 @@ Table piece_vertices_at(const Player& player) {
     return piece_tables(player.shared_recording()).vertices;
 }
 
-constexpr std::array<TableName, 8> known{{
+constexpr std::array<TableName, 9> known{{
     {"vertices", "every vertex in every space, with its varyings"},
     {"triangles", "every triangle with its verdict"},
     {"fragments", "every fragment up to the step, with its fate"},
@@ -42,6 +45,7 @@ constexpr std::array<TableName, 8> known{{
     {"runs", "stretches of one triangle's fragments, up to the step"},
     {"pieces", "triangles made by clipping"},
     {"piece-vertices", "their vertices, with weights among the original three"},
+    {"steps", "where every step up to this one stands"},
     {"traversals", "what every traversal would spend on the step's triangle, or on the frame"},
 }};
 
@@ -54,6 +58,7 @@ constexpr std::array<Table (*)(const Player&), known.size()> makers{
     runs_at,
     pieces_at,
     piece_vertices_at,
+    steps_at,
     traversal_table};
 
 } // namespace

@@ -254,3 +254,42 @@ TEST_CASE("a command that is interrupted leaves nothing and dies of the signal",
     CHECK(outcome.status == 130);
     CHECK(folder.names() == std::vector<std::string>{"scene.toml"});
 }
+
+TEST_CASE(
+    "what a query finds is the same as text, CSV and JSON, and can be gone to", "[app][command]"
+) {
+    const TemporaryFolder folder;
+    const std::string question = "fragment.fate == 'depth failed' and fragment.pixel.x == 33";
+    const auto document = nlohmann::json::parse(answer({"query", crossing, question, "--json"}));
+    CHECK(document["searched"] == "fragments");
+    REQUIRE(document["count"] > 3);
+    REQUIRE(document["matches"].size() == document["count"]);
+
+    const trace::Player player = crossing_player();
+    for (const auto& match : document["matches"]) {
+        CHECK(match["fragment.fate"] == "depth failed");
+        CHECK(match["fragment.pixel.x"] == 33);
+        const auto step = trace::find_step(player.recording(), match["path"].get<std::string>());
+        REQUIRE(step);
+        CHECK(*step == match["step"]);
+        CHECK_FALSE(trace::describe_step(player.recording(), *step).passed);
+    }
+
+    const auto lines_of = [](const std::string& text) {
+        return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    };
+    const std::size_t count = document["count"];
+    CHECK(lines_of(answer({"query", crossing, question})) == count + 1);
+    CHECK(lines_of(answer({"query", crossing, question, "--csv"})) == count + 1);
+    CHECK(answer({"query", crossing, question, "--count"}) == std::to_string(count) + "\n");
+    CHECK(lines_of(answer({"query", crossing, question, "--limit", "2"})) == 4);
+    CHECK(answer({"query", crossing, question, "-o", (folder / "found.csv").string()}).empty());
+    CHECK(answer({"query", crossing, "--names"}).find("fragment.fate") != std::string::npos);
+}
+
+TEST_CASE("a query without a match answers no", "[app][command]") {
+    const Outcome outcome = run_program({"query", crossing, "fragment.depth > 2", "--count"});
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out == "0\n");
+    CHECK(outcome.err.empty());
+}

@@ -191,3 +191,20 @@ TEST_CASE("what does not fit together is refused in one sentence", "[app][comman
               .ends_with("--all needs a lesson"));
     CHECK(folder.names().empty());
 }
+
+TEST_CASE("a wrong expression is one located line", "[app][command]") {
+    CHECK(
+        complaint({"query", crossing, "fragment.dept < 1"}) ==
+        "expression: there is no fragment.dept; did you mean \"fragment.depth\"?"
+    );
+    CHECK(complaint({"query", crossing, "fragment.depth <"}).starts_with("expression:1: "));
+    CHECK(
+        complaint({"query", crossing, "fragment.depth"}) ==
+        "expression: the answer is a number, not true or false; compare it with something"
+    );
+    CHECK(complaint({"query", crossing}).starts_with("expression: names nothing to search"));
+    CHECK(
+        complaint({"query", crossing, "fragment.depth < 1", "-o", "x.png"}).find(".csv") !=
+        std::string::npos
+    );
+}

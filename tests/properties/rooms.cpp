@@ -87,6 +87,8 @@ std::map<std::string, Rooms> allowed_rooms() {
     with_trace.insert("core/trace");
     Rooms with_explain{with_trace};
     with_explain.insert("core/explain");
+    Rooms with_export{with_explain};
+    with_export.insert("core/export");
     return {
         {"core/base", {}},
         {"core/math", {"core/base"}},
@@ -101,6 +103,7 @@ std::map<std::string, Rooms> allowed_rooms() {
         {"core/trace", with_pipeline},
         {"core/explain", with_trace},
         {"core/export", with_explain},
+        {"core/search", with_export},
     };
 }
 
@@ -111,6 +114,7 @@ const std::map<std::string_view, std::vector<std::string_view>> adapters{
     {"toml++/", {"core/scene/file/", "core/scene/scene_file.cpp", "app/lesson/"}},
     {"nlohmann/", {"core/export/", "app/command/", "app/bench/"}},
     {"zip.h", {"core/export/"}},
+    {"lua.hpp", {"core/search/"}},
     {"md4c.h", {"app/lesson/"}},
     {"imgui", {"app/viewer/", "app/host/", "app/bench/"}}, // bench times the viewer
     {"backends/imgui", {"app/host/"}},

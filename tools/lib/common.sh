@@ -8,7 +8,7 @@ cd "$top" || exit 2
 packages_program=(
     g++ cmake ninja-build pkg-config ccache
     libglm-dev libfmt-dev libopenmesh-dev libopenimageio-dev libtomlplusplus-dev
-    nlohmann-json3-dev libzip-dev libmd4c-dev
+    nlohmann-json3-dev libzip-dev liblua5.4-dev libmd4c-dev
     libglfw3-dev libgl-dev libgl1-mesa-dri libimgui-dev libcli11-dev
     libosmesa6 libosmesa6-dev
     fonts-inter fonts-jetbrains-mono fonts-dejavu-core
