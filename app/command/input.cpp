@@ -4,6 +4,7 @@
 #include "app/command/output.hpp"
 #include "app/lesson/lesson.hpp"
 #include "app/lesson/library.hpp"
+#include "app/viewer/viewer.hpp"
 #include "core/base/spelling.hpp"
 
 #include <fmt/format.h>
@@ -139,6 +140,22 @@ record_file(const std::filesystem::path& file, const Common& common) {
         return source.diagnostics();
     }
     return record(*source, common);
+}
+
+Result<Done> show_beside(viewer::Viewer& viewer, const std::string& beside) {
+    if (beside.empty()) {
+        return done;
+    }
+    const Result<scene::Assignment> change = scene::parse_assignment(beside);
+    if (!change) {
+        Diagnostics problems = change.diagnostics();
+        problems.front().file = "--beside";
+        return problems;
+    }
+    if (std::optional<std::string> complaint = viewer.show_beside(*change)) {
+        return Diagnostic{.file = "--beside", .message = std::move(*complaint)};
+    }
+    return done;
 }
 
 Result<std::shared_ptr<trace::Player>>

@@ -12,6 +12,10 @@
 #include <string_view>
 #include <vector>
 
+namespace hs::viewer {
+class Viewer;
+}
+
 namespace hs::command {
 
 /// Options any command takes, before or behind its name.
@@ -57,6 +61,9 @@ Result<std::shared_ptr<const trace::Recording>> record(const Source& source, con
 /// Both of the above.
 Result<std::shared_ptr<const trace::Recording>>
 record_file(const std::filesystem::path& file, const Common& common);
+
+/// Asks for the same frame with `key=value` changed, beside it; "" asks for nothing.
+Result<Done> show_beside(viewer::Viewer& viewer, const std::string& beside);
 
 /// Stands on the written step; "" is the end.
 Result<std::shared_ptr<trace::Player>>

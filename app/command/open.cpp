@@ -12,6 +12,7 @@ namespace {
 struct Options {
     std::filesystem::path file;
     std::string at;
+    std::string beside;
 };
 
 /// What is wrong inside the file, the window lists in full; what is wrong with the command is said
@@ -26,6 +27,9 @@ int open(const Options& options, const Common& common) {
         return fail(assignments.diagnostics());
     }
     viewer::Viewer viewer;
+    if (const Result<Done> shown = show_beside(viewer, options.beside); !shown) {
+        return fail(shown.diagnostics());
+    }
     viewer.open(options.file, {.at = options.at, .assignments = *assignments});
     return host::run_in_window(viewer, {});
 }
@@ -41,6 +45,7 @@ Command add_open(CLI::App& program, const Common& common) {
     );
     app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--at", options->at, at_help);
+    app->add_option("--beside", options->beside, beside_help);
     return {app, [options, &common] { return open(*options, common); }};
 }
 
@@ -53,7 +58,7 @@ int open_lessons(const Common& common) {
               .message = "there are no lessons here; open a scene with 'halfspace open FILE'"}}
         );
     }
-    return open({.file = lessons.front(), .at = {}}, common);
+    return open({.file = lessons.front(), .at = {}, .beside = {}}, common);
 }
 
 } // namespace hs::command

@@ -27,6 +27,7 @@ struct Options {
     bool all = false;
     std::vector<std::string> views;
     std::string panel = "unchanged";
+    std::string beside;
     std::optional<float> morph;
     bool side = false;
     bool light = false;
@@ -149,10 +150,16 @@ Result<Done> shoot_step(
         !opened) {
         return opened;
     }
+    if (Result<Done> shown = show_beside(viewer, options.beside); !shown) {
+        return shown;
+    }
     if (const auto complaint = options.at.empty() ? std::nullopt : viewer.go_to(options.at)) {
         return Diagnostic{.file = "--at", .message = *complaint};
     }
     host.settle(viewer); // the inspector has come along; what is asked for comes after it
+    if (const std::string& complaint = viewer.beside().complaint(); !complaint.empty()) {
+        return Diagnostic{.file = "--beside", .message = complaint};
+    }
     if (Result<Done> arranged = arrange(viewer.state(), options); !arranged) {
         return arranged;
     }
@@ -198,6 +205,7 @@ Command add_shot(CLI::App& program, const Common& common) {
         "--view", options->views, "what a lesson's view names: depth, ndc, clipping …; repeatable"
     );
     app->add_option("--panel", options->panel, "the inspector's tab, as in lessons");
+    app->add_option("--beside", options->beside, beside_help);
     app->add_option("--morph", options->morph, "space view between 0 (eye), 1 (clip) and 2 (NDC)");
     app->add_flag("--side", options->side, "space view seen from the side");
     app->add_flag("--light", options->light, "light colors, for print and projectors");

@@ -195,6 +195,9 @@ void HeadlessHost::settle(viewer::Viewer& viewer) {
             quiet = 0;
         }
         frame(viewer);
+        if (viewer.busy()) {
+            quiet = -1; // what it brings is yet to be laid out
+        }
         viewer.finish_background_work();
     }
 }

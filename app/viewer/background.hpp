@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic.hpp"
+#include "core/trace/counterpart.hpp"
 #include "core/trace/recording.hpp"
 
 #include <atomic>
@@ -27,6 +28,8 @@ struct Opened {
     std::string at; ///< the step path to stand on; "" for the end
     Diagnostics problems;
     std::string notice;
+    bool beside = false; ///< the recording goes beside the open one, and differs from it here:
+    trace::Difference difference;
     bool cancelled = false;
 };
 

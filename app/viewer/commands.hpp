@@ -39,6 +39,8 @@ enum class Command : std::uint8_t {
     next_side,
     morph,
     toggle_side_view,
+    toggle_beside,
+    toggle_difference,
     lesson_next,
     lesson_previous,
     lesson_answer,

@@ -49,6 +49,19 @@ Opened record_job(
     return opened;
 }
 
+Opened beside_job(
+    std::shared_ptr<const scene::Scene> scene,
+    const trace::Recording& main,
+    const Background::Progress& progress
+) {
+    Opened opened = record_job(std::move(scene), "", progress);
+    opened.beside = true;
+    if (opened.recording != nullptr) {
+        opened.difference = trace::difference(main, *opened.recording);
+    }
+    return opened;
+}
+
 Opened open_job(
     const std::filesystem::path& file,
     std::span<const scene::Assignment> assignments,

@@ -32,6 +32,13 @@ Opened record_job(
     const Background::Progress& progress
 );
 
+/// Records what goes beside `main`, and finds where it differs.
+Opened beside_job(
+    std::shared_ptr<const scene::Scene> scene,
+    const trace::Recording& main,
+    const Background::Progress& progress
+);
+
 /// Brings one view or one tab of the inspector to the front, as lessons name them.
 void show_view(lesson::View view, State& state);
 void show_panel(lesson::Panel panel, State& state);

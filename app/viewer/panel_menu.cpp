@@ -1,6 +1,7 @@
 // The menu, and beside it what is open and where the playhead stands.
 #include "app/lesson/library.hpp"
 #include "app/viewer/panels.hpp"
+#include "app/viewer/setting_text.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
 
@@ -38,6 +39,28 @@ void file_menu(Context& context) {
     menu_item(context, Command::quit);
 }
 
+/// The pairs people ask for most, one click away; the panel has all.
+void beside_menu(Context& context) {
+    const bool open = context.document.is_open();
+    if (!ImGui::BeginMenu("beside", open)) {
+        tooltip(open ? "" : "Nothing is open yet.");
+        return;
+    }
+    const scene::Settings& settings = context.document.scene().settings;
+    for (const char* const key :
+         {"clip.enabled", "shading", "interpolation", "traversal", "depth.format"}) {
+        if (ImGui::BeginMenu(key)) {
+            for (const std::string& value : values_beside(settings, key)) {
+                if (ImGui::MenuItem(value.c_str())) {
+                    context.viewer.show_beside({key, value});
+                }
+            }
+            ImGui::EndMenu();
+        }
+    }
+    ImGui::EndMenu();
+}
+
 void view_menu(Context& context) {
     for (const Command command :
          {Command::fit,
@@ -49,9 +72,12 @@ void view_menu(Context& context) {
           Command::toggle_side,
           Command::next_side,
           Command::morph,
-          Command::toggle_side_view}) {
+          Command::toggle_side_view,
+          Command::toggle_beside,
+          Command::toggle_difference}) {
         menu_item(context, command);
     }
+    beside_menu(context);
     ImGui::Separator();
     menu_item(context, Command::presentation);
     menu_item(context, Command::theme);

@@ -16,6 +16,10 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_space(context, rect, lines);
         return;
     }
+    if (panel == SidePanel::beside) {
+        draw_beside(context, rect);
+        return;
+    }
     begin_panel("side content", rect, theme, true);
     if (hides_numbers(context.viewer)) {
         empty_note(theme, hidden_note);

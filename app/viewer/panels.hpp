@@ -32,6 +32,7 @@ void draw_screen(Context& context, const Rect& rect, ScreenPicture& picture);
 void draw_side(Context& context, const Rect& rect, SpaceLines& lines);
 // What stands in the side panel. Precondition: a document is open.
 void draw_space(Context& context, const Rect& rect, SpaceLines& lines);
+void draw_beside(Context& context, const Rect& rect);
 void draw_projection(Context& context);
 void draw_precision(Context& context);
 void draw_clipping(Context& context);

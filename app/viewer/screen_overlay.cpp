@@ -269,6 +269,22 @@ void draw_fighting(Context& context, const Canvas& canvas) {
     }
 }
 
+/// Where the finished picture beside this one differs.
+void draw_difference(Context& context, const Canvas& canvas) {
+    if (!context.state.beside.show_difference || !context.viewer.shows_beside()) {
+        return;
+    }
+    const ImU32 color = canvas.theme.faded(Tone::selected, 0.6F);
+    const float half = std::max(1.0F, canvas.view.zoom * 0.5F) * 0.5F;
+    int left = 20000; // more marks than anyone can tell apart
+    for (const PixelPos pixel : context.viewer.beside().difference().color) {
+        if (canvas.visible.contains(pixel) && left-- > 0) {
+            const ImVec2 c = canvas.center(pixel);
+            canvas.list.AddRectFilled({c.x - half, c.y - half}, {c.x + half, c.y + half}, color);
+        }
+    }
+}
+
 /// The answer to a question about pixels: picked so far, and once graded what was missed.
 void draw_answer(Context& context, const Canvas& canvas) {
     lesson::Session* session = context.viewer.session();
@@ -395,6 +411,7 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
         draw_samples(canvas);
     }
     draw_fighting(context, canvas);
+    draw_difference(context, canvas);
     if (const trace::PieceDetail* piece = context.document.piece_detail()) {
         const bool edge =
             is_of_triangle(view.content) && view.content != ScreenContent::barycentric;

@@ -83,6 +83,20 @@ std::optional<SettingValue> parse_setting_text(std::string_view text) {
     return reader.at_end() ? value : std::nullopt;
 }
 
+std::vector<std::string> values_beside(const scene::Settings& settings, std::string_view key) {
+    const scene::SettingInfo& info = *scene::find_setting(key);
+    std::vector<std::string> values;
+    if (info.type == scene::SettingType::boolean) {
+        values = {"true", "false"};
+    }
+    values.insert(values.end(), info.choices.begin(), info.choices.end());
+    const std::string present = scene::print_setting(settings, key);
+    std::erase_if(values, [&present](const std::string& value) {
+        return value == present || '"' + value + '"' == present;
+    });
+    return values;
+}
+
 std::string_view why_ignored(const scene::Settings& settings, std::string_view key) {
     const bool z_buffer = settings.visibility == scene::Visibility::z_buffer;
     if (!z_buffer && key.starts_with("depth.") && key != "depth.convention") {

@@ -102,6 +102,7 @@ std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
     using viewer::SidePanel;
     static constexpr std::array<Named<SidePanel>, viewer::side_panel_count> table{{
         {SidePanel::space, "space", "the meshes in every coordinate space, with the view volume"},
+        {SidePanel::beside, "beside", "the same frame with one setting changed, in step"},
         {SidePanel::projection,
          "projection",
          "what the projection matrix does to one point, number by number"},

@@ -49,12 +49,13 @@ inline constexpr int space_count = 5;
 /// What stands beside the screen view.
 enum class SidePanel : std::uint8_t {
     space,
+    beside,
     projection,
     precision,
     clipping,
     cost
 };
-inline constexpr int side_panel_count = 5;
+inline constexpr int side_panel_count = 6;
 
 enum class InspectorTab : std::uint8_t {
     vertex,
@@ -93,6 +94,13 @@ struct ScreenView {
     bool show_outline = true;
     bool show_numbers = true;
     Rect area; ///< where the last frame drew
+};
+
+/// The second picture: the same pixels as the screen view, at the same size.
+struct BesideView {
+    bool by_count = false;        ///< follows by number of steps instead of by pixel
+    bool show_difference = false; ///< marks pixels that differ in the finished pictures
+    Rect area;                    ///< where the last frame drew
 };
 
 /// Eye, clip and NDC are stations of one way, on which the view volume becomes a box.
@@ -140,6 +148,7 @@ struct State {
     std::optional<PixelPos> hovered;
     ScreenView screen;
     SpaceView space;
+    BesideView beside;
     InspectorTab tab = InspectorTab::triangle;
     int corner = 0; ///< which vertex of the triangle the vertex tab shows
     LeftTab left = LeftTab::scene;

@@ -43,6 +43,9 @@ float side_share(const State& state) {
     if (!state.show_side) {
         return 0.0F;
     }
+    if (state.side == SidePanel::beside) {
+        return 0.5F;
+    }
     return state.side == SidePanel::space ? 0.44F : 0.64F;
 }
 
@@ -146,6 +149,15 @@ std::optional<std::string> Viewer::change_settings(const scene::Settings& settin
     return std::nullopt;
 }
 
+std::optional<std::string> Viewer::show_beside(const scene::Assignment& change) {
+    if (std::optional<std::string> complaint = beside_.ask(change)) {
+        return complaint;
+    }
+    state_.side = SidePanel::beside;
+    state_.show_side = true;
+    return std::nullopt;
+}
+
 void Viewer::change_camera(const scene::Camera& camera) {
     auto changed = std::make_shared<scene::Scene>(document_.scene());
     changed->camera = camera;
@@ -204,9 +216,40 @@ void Viewer::follow_step() {
     followed_ = about;
 }
 
+/// Makes the second frame when there is none for what is open, and keeps its playhead in step.
+void Viewer::follow_beside() {
+    const bool visible = state_.show_side && state_.side == SidePanel::beside;
+    if (!document_.is_open() || !visible) {
+        return;
+    }
+    if (!busy()) {
+        if (std::shared_ptr<const scene::Scene> scene = beside_.take_work(document_)) {
+            background_.start(
+                "Recording beside",
+                [scene = std::move(scene),
+                 main = document_.player().shared_recording()](const Background::Progress& progress
+                ) { return beside_job(scene, *main, progress); }
+            );
+        }
+    }
+    if (beside_.is_beside(document_)) {
+        beside_.follow(document_, state_.beside.by_count);
+    }
+}
+
+bool Viewer::shows_beside() const {
+    return state_.show_side && state_.side == SidePanel::beside && beside_.is_beside(document_);
+}
+
 void Viewer::receive(Opened opened) {
     if (opened.cancelled) {
         state_.notice = "Stopped.";
+    }
+    if (opened.beside) {
+        beside_.receive(std::move(opened), document_);
+        return;
+    }
+    if (opened.cancelled) {
         return;
     }
     if (!opened.problems.empty()) {
@@ -308,6 +351,7 @@ void Viewer::draw(ImVec2 size, Textures& textures) {
     follow_lesson();
     play(static_cast<double>(ImGui::GetIO().DeltaTime));
     follow_step();
+    follow_beside();
     move_on(state_.space, ImGui::GetIO().DeltaTime);
     theme_.kind = state_.theme;
     apply_style(theme_);

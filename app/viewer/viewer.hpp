@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/viewer/background.hpp"
+#include "app/viewer/beside.hpp"
 #include "app/viewer/commands.hpp"
 #include "app/viewer/document.hpp"
 #include "app/viewer/keys.hpp"
@@ -57,6 +58,8 @@ public:
     /// Writes what the screen view shows, as it is at the playhead, to a file. What is wrong with
     /// that, or nothing. Precondition: a document is open.
     std::optional<std::string> export_shown(const std::filesystem::path& file);
+    /// Shows the frame with one setting changed beside it. What is wrong with that, or nothing.
+    std::optional<std::string> show_beside(const scene::Assignment& change);
     /// The same with another camera.
     void change_camera(const scene::Camera& camera);
     /// Goes to a step of the lesson. Precondition: there is a lesson.
@@ -94,6 +97,9 @@ public:
     [[nodiscard]] const Document& document() const { return document_; }
     [[nodiscard]] const Theme& theme() const { return theme_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
+    [[nodiscard]] Beside& beside() { return beside_; }
+    /// A second frame stands beside the first one now.
+    [[nodiscard]] bool shows_beside() const;
     /// Null when no lesson is open.
     [[nodiscard]] lesson::Session* session() { return session_.get(); }
     [[nodiscard]] LessonForm& lesson_form() { return *lesson_form_; }
@@ -105,6 +111,7 @@ private:
     void record_anew(std::shared_ptr<const scene::Scene> changed);
     void follow_lesson();
     void follow_step();
+    void follow_beside();
     void remember(const std::filesystem::path& file);
     void step(trace::Granularity granularity, trace::Direction direction);
     void nudge(int dx, int dy);
@@ -128,6 +135,7 @@ private:
     float fonts_scale_ = 0.0F;
     float display_scale_ = 1.0F;
     Background background_;
+    Beside beside_;
     std::shared_ptr<lesson::Session> session_;
     unsigned lesson_revision_ = 0;
     std::optional<InspectorTab> followed_; ///< the tab that suited the last step

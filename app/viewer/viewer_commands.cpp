@@ -44,6 +44,9 @@ std::string Viewer::why_not(Command command) const {
     if (!needs_recording(command)) {
         return "";
     }
+    if (command == Command::toggle_difference && !shows_beside()) {
+        return "No second frame stands beside this one.";
+    }
     const bool nudges = command >= Command::nudge_left && command <= Command::nudge_down;
     if (nudges && !state_.selected) {
         return "No pixel is picked: click one in the screen view.";
@@ -205,6 +208,12 @@ bool Viewer::run_view(Command command) {
         play_morph();
     } else if (is(Command::toggle_side_view)) {
         state_.space.side = !state_.space.side;
+    } else if (is(Command::toggle_beside)) {
+        const bool shown = state_.show_side && state_.side == SidePanel::beside;
+        state_.side = shown ? SidePanel::space : SidePanel::beside;
+        state_.show_side = true;
+    } else if (is(Command::toggle_difference)) {
+        state_.beside.show_difference = !state_.beside.show_difference;
     } else {
         return false;
     }

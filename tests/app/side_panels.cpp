@@ -55,6 +55,7 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
         seen ==
         std::vector{
             SidePanel::space,
+            SidePanel::beside,
             SidePanel::projection,
             SidePanel::precision,
             SidePanel::clipping,
@@ -81,6 +82,7 @@ TEST_CASE("no side panel cuts its text, at any size, theme and camera", "[app]")
                 REQUIRE_FALSE(window->viewer.go_to(step));
                 for (int i = 0; i < viewer::side_panel_count; ++i) {
                     window->viewer.state().side = static_cast<SidePanel>(i);
+                    REQUIRE_FALSE(window->viewer.beside().ask({"clip.enabled", "false"}));
                     window->settle();
                     INFO(
                         width << " × " << height << " × " << type << " at " << step << " in " << i

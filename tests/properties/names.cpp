@@ -4,6 +4,7 @@
 #include "core/geometry/facing.hpp"
 #include "core/raster/tile.hpp"
 #include "core/scene/scene.hpp"
+#include "core/trace/counterpart.hpp"
 #include "core/trace/step.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/enumerators.hpp"
@@ -71,6 +72,7 @@ constexpr Table tables[] = {
     {"scene::Visibility", check_table<scene::Visibility>},
     {"scene::Winding", check_table<scene::Winding>},
     {"trace::Granularity", check_table<trace::Granularity>},
+    {"trace::Match", check_table<trace::Match>},
     {"trace::Stage", check_table<trace::Stage>},
     {"trace::StepKind", check_table<trace::StepKind>},
 };
