@@ -29,6 +29,8 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_precision(context);
     } else if (panel == SidePanel::clipping) {
         draw_clipping(context);
+    } else if (panel == SidePanel::search) {
+        draw_search(context);
     } else {
         draw_cost(context);
     }

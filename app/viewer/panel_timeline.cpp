@@ -1,5 +1,6 @@
 // The timeline: the whole frame, the current triangle under a lens, and the buttons that step.
 #include "app/viewer/panels.hpp"
+#include "app/viewer/search.hpp"
 #include "app/viewer/timeline_bands.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -67,6 +68,23 @@ void draw_marks(Context& context, const Scale& scale, const TimelineBands& bands
         const float y = scale.rect.y + scale.rect.height * 0.5F;
         ImDrawList& list = *ImGui::GetWindowDrawList();
         draw_mark(list, {x, y}, context.theme.pixels(4), mark.passed, context.theme);
+    }
+}
+
+/// Ticks where the search has found something.
+void draw_matches(Context& context, const Scale& scale) {
+    if (!context.viewer.search().is_of(context.document)) {
+        return;
+    }
+    const Theme& theme = context.theme;
+    const Rect& r = scale.rect;
+    for (const trace::StepId step : context.viewer.search().marks()) {
+        if (step >= scale.first && step <= scale.last) {
+            const float x = scale.x(step);
+            ImGui::GetWindowDrawList()->AddRectFilled(
+                {x, r.y}, {x + theme.pixels(1.5F), r.y + r.height * 0.4F}, theme[Tone::selected]
+            );
+        }
     }
 }
 
@@ -243,6 +261,7 @@ void draw_timeline(Context& context, const Rect& rect, TimelineBands& bands) {
         const Scale whole{frame, 0, context.document.player().end()};
         scrub(context, "frame", whole);
         draw_bands(context, whole, bands.frame());
+        draw_matches(context, whole);
         draw_marks(context, whole, bands);
         draw_playhead(context, whole);
     } else {
@@ -253,6 +272,7 @@ void draw_timeline(Context& context, const Rect& rect, TimelineBands& bands) {
         draw_row_label(context, unit, bands.unit_range().label, label_width);
         scrub(context, "unit", lens);
         draw_bands(context, lens, bands.unit());
+        draw_matches(context, lens);
         draw_marks(context, lens, bands);
         draw_playhead(context, lens);
     } else {

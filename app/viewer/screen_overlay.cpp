@@ -5,6 +5,7 @@
 #include "app/viewer/lesson_form.hpp"
 #include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/screen_picture.hpp"
+#include "app/viewer/search.hpp"
 #include "app/viewer/traversal_overlay.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -285,6 +286,23 @@ void draw_difference(Context& context, const Canvas& canvas) {
     }
 }
 
+/// Where fragments or steps match the search, while its panel is open.
+void draw_matches(Context& context, const Canvas& canvas) {
+    if (!context.state.show_side || context.state.side != SidePanel::search ||
+        !context.viewer.search().is_of(context.document)) {
+        return;
+    }
+    const ImU32 color = canvas.theme.faded(Tone::selected, 0.6F);
+    const float half = std::max(1.0F, canvas.view.zoom * 0.5F) * 0.5F;
+    int left = 20000; // more marks than anyone can tell apart
+    for (const PixelPos pixel : context.viewer.search().pixels()) {
+        if (canvas.visible.contains(pixel) && left-- > 0) {
+            const ImVec2 c = canvas.center(pixel);
+            canvas.list.AddRectFilled({c.x - half, c.y - half}, {c.x + half, c.y + half}, color);
+        }
+    }
+}
+
 /// The answer to a question about pixels: picked so far, and once graded what was missed.
 void draw_answer(Context& context, const Canvas& canvas) {
     lesson::Session* session = context.viewer.session();
@@ -412,6 +430,7 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
     }
     draw_fighting(context, canvas);
     draw_difference(context, canvas);
+    draw_matches(context, canvas);
     if (const trace::PieceDetail* piece = context.document.piece_detail()) {
         const bool edge =
             is_of_triangle(view.content) && view.content != ScreenContent::barycentric;

@@ -111,6 +111,7 @@ std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
          "how depth values are spread between the near and the far plane"},
         {SidePanel::clipping, "clip", "the triangle against each plane of the view volume"},
         {SidePanel::cost, "cost", "what the traversal spends, beside all others"},
+        {SidePanel::search, "search", "vertices, triangles, fragments and steps that match"},
     }};
     return table;
 }

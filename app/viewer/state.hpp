@@ -53,9 +53,10 @@ enum class SidePanel : std::uint8_t {
     projection,
     precision,
     clipping,
-    cost
+    cost,
+    search
 };
-inline constexpr int side_panel_count = 6;
+inline constexpr int side_panel_count = 7;
 
 enum class InspectorTab : std::uint8_t {
     vertex,
@@ -133,6 +134,13 @@ struct PlanesDraft {
     float far = 10.0F;
 };
 
+/// The expression to search for, while it is written.
+struct SearchField {
+    std::string text;
+    std::string complaint; ///< what is wrong with it
+    bool wants_keyboard = false;
+};
+
 enum class Prompt : std::uint8_t {
     none,
     open_file,
@@ -154,6 +162,7 @@ struct State {
     LeftTab left = LeftTab::scene;
     SidePanel side = SidePanel::space;
     bool show_side = true;
+    SearchField search;
     std::optional<PlanesDraft> planes;
     bool log_distance = false; ///< axis of the depth plot
     ThemeKind theme = ThemeKind::dark;

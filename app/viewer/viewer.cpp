@@ -6,6 +6,7 @@
 #include "app/viewer/open_job.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/screen_picture.hpp"
+#include "app/viewer/search.hpp"
 #include "app/viewer/space_lines.hpp"
 #include "app/viewer/timeline_bands.hpp"
 #include "app/viewer/widgets.hpp"
@@ -18,6 +19,8 @@
 
 namespace hs::viewer {
 namespace {
+
+constexpr double search_milliseconds = 3.0; ///< of a frame, spent on a search under way
 
 /// "31,17" or "31 17"; nothing for any other text.
 std::optional<PixelPos> parse_pixel(std::string_view text) {
@@ -68,7 +71,8 @@ bool is_about_steps(InspectorTab tab) {
 } // namespace
 
 Viewer::Viewer()
-    : lesson_form_(std::make_unique<LessonForm>()),
+    : search_(std::make_unique<Search>()),
+      lesson_form_(std::make_unique<LessonForm>()),
       picture_(std::make_unique<ScreenPicture>()),
       lines_(std::make_unique<SpaceLines>()),
       bands_(std::make_unique<TimelineBands>()) {}
@@ -96,6 +100,9 @@ void Viewer::set_recording(std::shared_ptr<const trace::Recording> recording) {
     state_.planes.reset();
     state_.playing = false;
     state_.notice.clear();
+    if (search_->begun()) {
+        start_search(); // the same question about the new frame
+    }
 }
 
 std::optional<std::string> Viewer::export_shown(const std::filesystem::path& file) {
@@ -156,6 +163,13 @@ std::optional<std::string> Viewer::show_beside(const scene::Assignment& change) 
     state_.side = SidePanel::beside;
     state_.show_side = true;
     return std::nullopt;
+}
+
+void Viewer::start_search() {
+    state_.search.complaint.clear();
+    if (const auto complaint = search_->start(document_, state_.search.text)) {
+        state_.search.complaint = *complaint;
+    }
 }
 
 void Viewer::change_camera(const scene::Camera& camera) {
@@ -235,6 +249,10 @@ void Viewer::follow_beside() {
     if (beside_.is_beside(document_)) {
         beside_.follow(document_, state_.beside.by_count);
     }
+}
+
+bool Viewer::moving() const {
+    return state_.space.morph_goal.has_value() || search_->running();
 }
 
 bool Viewer::shows_beside() const {
@@ -352,6 +370,7 @@ void Viewer::draw(ImVec2 size, Textures& textures) {
     play(static_cast<double>(ImGui::GetIO().DeltaTime));
     follow_step();
     follow_beside();
+    search_->work(search_milliseconds);
     move_on(state_.space, ImGui::GetIO().DeltaTime);
     theme_.kind = state_.theme;
     apply_style(theme_);

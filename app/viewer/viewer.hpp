@@ -30,6 +30,7 @@ class ScreenPicture;
 class SpaceLines;
 class TimelineBands;
 class LessonForm;
+class Search;
 
 struct OpenOptions {
     std::string at; ///< the step path to stand on; "": the end
@@ -60,6 +61,9 @@ public:
     std::optional<std::string> export_shown(const std::filesystem::path& file);
     /// Shows the frame with one setting changed beside it. What is wrong with that, or nothing.
     std::optional<std::string> show_beside(const scene::Assignment& change);
+    /// Searches for what stands in the search field; what is wrong with that stands beside it.
+    /// Precondition: a document is open.
+    void start_search();
     /// The same with another camera.
     void change_camera(const scene::Camera& camera);
     /// Goes to a step of the lesson. Precondition: there is a lesson.
@@ -85,8 +89,8 @@ public:
     [[nodiscard]] bool busy() const { return background_.running(); }
     /// Whether the next frame will differ without any input.
     [[nodiscard]] bool wants_frames() const { return busy() || state_.playing || moving(); }
-    /// Whether something moves that will come to rest by itself.
-    [[nodiscard]] bool moving() const { return state_.space.morph_goal.has_value(); }
+    /// Whether something goes on that will come to rest by itself: a morph, a search.
+    [[nodiscard]] bool moving() const;
     void cancel_background_work() { background_.cancel(); }
     [[nodiscard]] const Background& background() const { return background_; }
     [[nodiscard]] std::string title() const;
@@ -98,6 +102,7 @@ public:
     [[nodiscard]] const Theme& theme() const { return theme_; }
     [[nodiscard]] const Layout& layout() const { return layout_; }
     [[nodiscard]] Beside& beside() { return beside_; }
+    [[nodiscard]] Search& search() { return *search_; }
     /// A second frame stands beside the first one now.
     [[nodiscard]] bool shows_beside() const;
     /// Null when no lesson is open.
@@ -120,6 +125,7 @@ private:
     void draw_hairlines() const;
     void close_top();
     [[nodiscard]] std::string why_no_answer(Command command) const;
+    [[nodiscard]] std::string why_no_match(Command command) const;
     void play_morph();
     void choose_answer(int by);
     void hand_in_answer();
@@ -139,6 +145,7 @@ private:
     std::shared_ptr<lesson::Session> session_;
     unsigned lesson_revision_ = 0;
     std::optional<InspectorTab> followed_; ///< the tab that suited the last step
+    std::unique_ptr<Search> search_;
     std::unique_ptr<LessonForm> lesson_form_;
     std::unique_ptr<ScreenPicture> picture_;
     std::unique_ptr<SpaceLines> lines_;

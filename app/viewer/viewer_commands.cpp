@@ -2,6 +2,7 @@
 #include "app/lesson/session.hpp"
 #include "app/viewer/export_job.hpp"
 #include "app/viewer/lesson_form.hpp"
+#include "app/viewer/search.hpp"
 #include "app/viewer/viewer.hpp"
 
 #include <algorithm>
@@ -51,6 +52,9 @@ std::string Viewer::why_not(Command command) const {
     if (nudges && !state_.selected) {
         return "No pixel is picked: click one in the screen view.";
     }
+    if (command == Command::next_match || command == Command::previous_match) {
+        return why_no_match(command);
+    }
     const trace::StepId step = document_.player().step();
     const bool forward = command == Command::step_forward ||
                          command == Command::operation_forward ||
@@ -61,6 +65,19 @@ std::string Viewer::why_not(Command command) const {
         return "The playhead stands at the end.";
     }
     return back && step == 0 ? "The playhead stands at the start." : "";
+}
+
+/// Why there is no match to go to. Precondition: a document is open.
+std::string Viewer::why_no_match(Command command) const {
+    if (!search_->is_of(document_)) {
+        return "Nothing has been searched for: Ctrl+F asks what.";
+    }
+    const bool forward = command == Command::next_match;
+    const auto direction = forward ? trace::Direction::forward : trace::Direction::backward;
+    if (search_->find(document_.player().step(), direction)) {
+        return "";
+    }
+    return forward ? "Nothing after this step matches." : "Nothing before this step matches.";
 }
 
 /// Why the lesson's question cannot be answered so; empty for commands that turn its pages.
@@ -152,6 +169,9 @@ bool Viewer::run_stepping(Command command) {
         change_granularity(1);
     } else if (is(Command::go_start)) {
         seek(0);
+    } else if (is(Command::next_match) || is(Command::previous_match)) {
+        const auto direction = is(Command::next_match) ? Direction::forward : Direction::backward;
+        seek(*search_->find(document_.player().step(), direction)); // why_not has seen to it
     } else if (is(Command::go_end)) {
         seek(document_.player().end());
     } else if (is(Command::play)) {
@@ -208,6 +228,10 @@ bool Viewer::run_view(Command command) {
         play_morph();
     } else if (is(Command::toggle_side_view)) {
         state_.space.side = !state_.space.side;
+    } else if (is(Command::find)) {
+        state_.side = SidePanel::search;
+        state_.show_side = true;
+        state_.search.wants_keyboard = true;
     } else if (is(Command::toggle_beside)) {
         const bool shown = state_.show_side && state_.side == SidePanel::beside;
         state_.side = shown ? SidePanel::space : SidePanel::beside;

@@ -3,6 +3,7 @@
 
 #include "core/base/named.hpp"
 #include "core/export/table.hpp"
+#include "core/trace/outline.hpp"
 
 #include <array>
 #include <cstring>
@@ -69,6 +70,19 @@ template <typename Space>
 std::array<float, 4> as_array(const math::Position<Space>& p) {
     return {p.x, p.y, p.z, p.w};
 }
+
+/// Addresses of steps, remembering the stretch around the last one asked for: quick in order.
+class StepAddresses {
+public:
+    explicit StepAddresses(SharedRecording recording) : recording_(std::move(recording)) {}
+    /// Valid until the next call. Precondition: the step exists.
+    const trace::Step& operator()(trace::StepId step);
+
+private:
+    SharedRecording recording_;
+    trace::Outline stretch_;
+    trace::Step alone_; ///< of a step outside all stretches
+};
 
 // The tables, each in a file of its own
 Table vertex_table(const SharedRecording& recording);

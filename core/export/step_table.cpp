@@ -1,41 +1,24 @@
 // Every step with its address: what the playhead shows of where it stands.
 #include "core/export/column.hpp"
-#include "core/trace/outline.hpp"
 
 namespace hs::exporting {
-namespace {
-
-/// Addresses of steps, remembering the stretch around the last one asked for.
-class Addresses {
-public:
-    explicit Addresses(SharedRecording recording) : recording_(std::move(recording)) {}
-
-    const trace::Step& operator()(std::size_t row) {
-        const trace::StepId step{row};
-        const bool outlined =
-            step >= recording_->first_triangle_step && step < recording_->end_step;
-        if (!outlined) {
-            alone_ = trace::describe_step(*recording_, step);
-            return alone_;
-        }
-        if (stretch_.steps.empty() || step < stretch_.first_step ||
-            step - stretch_.first_step >= stretch_.steps.size()) {
-            stretch_ = trace::outline(*recording_, trace::index_entry_of_step(*recording_, step));
-        }
-        return stretch_.steps[step - stretch_.first_step];
+const trace::Step& StepAddresses::operator()(trace::StepId step) {
+    const bool outlined = step >= recording_->first_triangle_step && step < recording_->end_step;
+    if (!outlined) {
+        alone_ = trace::describe_step(*recording_, step);
+        return alone_;
     }
-
-private:
-    SharedRecording recording_;
-    trace::Outline stretch_;
-    trace::Step alone_; ///< of a step outside all stretches
-};
-
-} // namespace
+    if (stretch_.steps.empty() || step < stretch_.first_step ||
+        step - stretch_.first_step >= stretch_.steps.size()) {
+        stretch_ = trace::outline(*recording_, trace::index_entry_of_step(*recording_, step));
+    }
+    return stretch_.steps[step - stretch_.first_step];
+}
 
 Table step_table(const SharedRecording& recording, trace::StepId last) {
     Table table{.name = "steps", .rows = last + 1, .columns = {}};
-    const auto addresses = std::make_shared<Addresses>(recording); // the columns go hand in hand
+    const auto addresses =
+        std::make_shared<StepAddresses>(recording); // the columns go hand in hand
     const auto at = [addresses](std::size_t row) -> const trace::Step& {
         return (*addresses)(row);
     };

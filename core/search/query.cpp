@@ -193,6 +193,8 @@ struct Query::Content {
     SharedRecording recording;
     Rows rows = Rows::fragments;
     std::size_t size = 0;
+    /// Of steps: where each stands, moving on with the rows.
+    std::optional<exporting::StepAddresses> addresses;
     std::vector<std::string> paths;
     std::vector<std::function<Value()>> readers; ///< of the current row
     std::size_t row = 0;
@@ -234,6 +236,9 @@ Result<Query> Query::prepare(const trace::Player& player, std::string_view expre
     content->recording = player.shared_recording();
     content->rows = *rows;
     content->size = sources.front().table->rows;
+    if (*rows == Rows::steps) {
+        content->addresses.emplace(content->recording);
+    }
     std::vector<Name> names = names_of(sources, &content->row);
     for (const Name& name : names) {
         content->paths.push_back(name.path);
@@ -284,6 +289,18 @@ trace::StepId Query::step_of(std::size_t row) const {
     }
     HS_CHECK(false, "every kind of row has its step");
     return 0;
+}
+
+std::optional<PixelPos> Query::pixel_of(std::size_t row) const {
+    HS_CHECK(row < size(), "a row of this query");
+    if (content_->rows == Rows::fragments) {
+        return content_->recording->fragments[row].pixel();
+    }
+    if (content_->rows == Rows::steps) {
+        const trace::Step& step = (*content_->addresses)(row);
+        return step.has_pixel() ? std::optional{step.pixel} : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 std::vector<std::string> Query::columns() const {

@@ -8,6 +8,7 @@
 #include "core/trace/player.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,6 +41,10 @@ public:
     /// The step a row ends with: of a vertex its last, of a triangle its first, of a fragment its
     /// fate. Same precondition.
     [[nodiscard]] trace::StepId step_of(std::size_t row) const;
+
+    /// The pixel a row is about: of fragments, and of steps that have one. Quick in order. Same
+    /// precondition.
+    [[nodiscard]] std::optional<PixelPos> pixel_of(std::size_t row) const;
 
     /// The names the expression mentions, and what they are at a row. Same precondition. Texts live
     /// as long as the query.
