@@ -107,6 +107,7 @@ enum class View : std::uint8_t {
     precision,
     clipping,
     cost,
+    normals,
 };
 
 /// Which inspector to bring to the front.

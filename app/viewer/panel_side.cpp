@@ -29,8 +29,10 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_precision(context);
     } else if (panel == SidePanel::clipping) {
         draw_clipping(context);
-    } else {
+    } else if (panel == SidePanel::cost) {
         draw_cost(context);
+    } else {
+        draw_normals(context);
     }
     end_panel();
 }

@@ -53,9 +53,10 @@ enum class SidePanel : std::uint8_t {
     projection,
     precision,
     clipping,
-    cost
+    cost,
+    normals
 };
-inline constexpr int side_panel_count = 6;
+inline constexpr int side_panel_count = 7;
 
 enum class InspectorTab : std::uint8_t {
     vertex,

@@ -59,7 +59,8 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
             SidePanel::projection,
             SidePanel::precision,
             SidePanel::clipping,
-            SidePanel::cost}
+            SidePanel::cost,
+            SidePanel::normals}
     );
     CHECK(window->state().side == SidePanel::space);
     window->key(Key::d, true);
