@@ -107,6 +107,7 @@ enum class View : std::uint8_t {
     precision,
     clipping,
     cost,
+    normals,
     search,
 };
 

@@ -5,6 +5,7 @@
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
 #include "core/explain/formulas.hpp"
+#include "core/explain/lighting.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/sentence.hpp"
 
@@ -75,13 +76,46 @@ void draw_life(Context& context, const trace::FragmentDetail& fragment) {
         context.document.player().detail(), context.document.player().current(), settings
     );
     // What this step computed comes first, so that it is in sight
-    const auto all = explain::fragment_formulas(fragment, *piece, settings);
+    auto all = explain::fragment_formulas(fragment, *piece, settings);
+    const auto mixed =
+        explain::mixed_color_formulas(*context.document.triangle_detail(), fragment, settings);
+    all.insert(all.end(), mixed.begin(), mixed.end());
     for (const bool lit : {true, false}) {
         for (const explain::Formula& formula : all) {
             if (is_of_step(formula, of_step) == lit) {
                 draw_formula(context, formula, lit);
             }
         }
+    }
+}
+
+/// How the frame beside this one came by its color, at the same fragment.
+void draw_life_beside(Context& context, PixelPos pixel) {
+    if (!context.viewer.shows_beside()) {
+        return;
+    }
+    const Theme& theme = context.theme;
+    Document& beside = context.viewer.beside().document();
+    const trace::StepDetail& detail = beside.player().detail();
+    const scene::Assignment& change = *context.viewer.beside().change();
+    heading(theme, fmt::format("Beside: {} = {}", change.path, change.value));
+    if (!detail.fragment || detail.fragment->fragment.pixel != pixel) {
+        caption(theme, "It stands on no fragment of this pixel.");
+        return;
+    }
+    const trace::FragmentDetail& fragment = *detail.fragment;
+    row(theme, "fate", std::string{name_of(fragment.fate)});
+    if (fragment.shaded) {
+        color_row(theme, "source", fragment.shaded->color);
+    }
+    Context other{context.viewer, beside, context.state, context.theme, context.textures};
+    std::vector<explain::Formula> list =
+        explain::mixed_color_formulas(*detail.triangle, fragment, beside.settings());
+    if (fragment.lit) {
+        list = explain::lighting_formulas(*fragment.shaded->terms, *fragment.lit);
+    }
+    for (const explain::Formula& formula : list) {
+        draw_formula(other, formula, false);
     }
 }
 
@@ -217,6 +251,7 @@ void draw_fragment_tab(Context& context) {
     }
     heading(theme, fmt::format("Fragment {}", explain::pixel(detail.visit->pixel)));
     draw_life(context, *detail.fragment);
+    draw_life_beside(context, detail.visit->pixel);
     heading(theme, "Coverage");
     draw_visit(context, *detail.visit);
 }

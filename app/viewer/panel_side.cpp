@@ -31,8 +31,10 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_clipping(context);
     } else if (panel == SidePanel::search) {
         draw_search(context);
-    } else {
+    } else if (panel == SidePanel::cost) {
         draw_cost(context);
+    } else {
+        draw_normals(context);
     }
     end_panel();
 }

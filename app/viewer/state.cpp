@@ -111,6 +111,9 @@ std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
          "how depth values are spread between the near and the far plane"},
         {SidePanel::clipping, "clip", "the triangle against each plane of the view volume"},
         {SidePanel::cost, "cost", "what the traversal spends, beside all others"},
+        {SidePanel::normals,
+         "normals",
+         "one normal moved by the matrix and by its inverse transpose"},
         {SidePanel::search, "search", "vertices, triangles, fragments and steps that match"},
     }};
     return table;

@@ -54,9 +54,10 @@ enum class SidePanel : std::uint8_t {
     precision,
     clipping,
     cost,
+    normals,
     search
 };
-inline constexpr int side_panel_count = 7;
+inline constexpr int side_panel_count = 8;
 
 enum class InspectorTab : std::uint8_t {
     vertex,

@@ -1,6 +1,7 @@
 #include "core/explain/formulas.hpp"
 
 #include "core/explain/clip_story.hpp"
+#include "core/explain/lighting.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/sentence.hpp"
 #include "core/explain/traversal.hpp"
@@ -55,15 +56,6 @@ Formula transform_formula(
         rows(transform.matrix, math::to_vec4(from)),
         point(math::to_vec4(to)),
         {quantity}};
-}
-
-Formula lighting_formula(const shading::LightingTerms& terms) {
-    const auto rgb = [](const glm::vec3& c) { return point(c.r, c.g, c.b); };
-    return {
-        "Blinn–Phong lighting",
-        "color = ambient + Σ diffuse·max(n·l, 0) + specular·max(n·h, 0)^s",
-        fmt::format("{} + {}\n+ {}", rgb(terms.ambient), rgb(terms.diffuse), rgb(terms.specular)),
-        point(terms.color)};
 }
 
 Formula divide_formula(const math::ClipPosition& clip, const geometry::WindowVertex& v) {
@@ -359,8 +351,8 @@ only_of_step(std::vector<Formula> all, const trace::FragmentDetail& fragment, St
         return list;
     }
     if (kind == StepKind::shade && fragment.shaded) {
-        if (fragment.shaded->terms) {
-            return {lighting_formula(*fragment.shaded->terms)};
+        if (fragment.lit) {
+            return lighting_formulas(*fragment.shaded->terms, *fragment.lit);
         }
         return {
             {"surface color",
@@ -411,8 +403,9 @@ std::vector<Formula> vertex_formulas(const trace::VertexDetail& vertex) {
             work.clip
         ),
     };
-    if (work.terms) {
-        list.push_back(lighting_formula(*work.terms));
+    if (vertex.lit) {
+        const std::vector<Formula> lighting = lighting_formulas(*work.terms, *vertex.lit);
+        list.insert(list.end(), lighting.begin(), lighting.end());
     }
     if (vertex.window.status == geometry::WindowStatus::placed) {
         list.push_back(divide_formula(work.clip, vertex.window));
@@ -465,8 +458,10 @@ std::vector<Formula> fragment_formulas(
     if (piece.setup && settings.interpolation == scene::InterpolationKind::perspective) {
         list.push_back(perspective_formula(fragment, piece));
     }
-    if (fragment.shaded && fragment.shaded->terms) {
-        list.push_back(lighting_formula(*fragment.shaded->terms));
+    if (fragment.lit) {
+        const std::vector<Formula> lighting =
+            lighting_formulas(*fragment.shaded->terms, *fragment.lit);
+        list.insert(list.end(), lighting.begin(), lighting.end());
     }
     if (fragment.depth_test) {
         list.push_back(test_formula(*fragment.depth_test));
@@ -481,6 +476,9 @@ std::vector<Formula> formulas(
     const trace::StepDetail& detail, const trace::Step& step, const scene::Settings& settings
 ) {
     if (step.in_vertex_stage() && detail.vertex) {
+        if (step.kind == StepKind::vertex_light) {
+            return lighting_formulas(*detail.vertex->work.terms, *detail.vertex->lit);
+        }
         std::vector<Formula> all = vertex_formulas(*detail.vertex);
         const auto index =
             static_cast<std::size_t>(step.kind) - static_cast<std::size_t>(StepKind::vertex_world);
@@ -505,6 +503,13 @@ std::vector<Formula> formulas(
         return traversal_formulas(*detail.traversal, step, *piece->setup);
     }
     if (step.in_fragment() && detail.fragment && piece != nullptr) {
+        if (step.kind == StepKind::shade) {
+            std::vector<Formula> mixed =
+                mixed_color_formulas(*detail.triangle, *detail.fragment, settings);
+            if (!mixed.empty()) {
+                return mixed;
+            }
+        }
         return only_of_step(
             fragment_formulas(*detail.fragment, *piece, settings), *detail.fragment, step.kind
         );

@@ -10,6 +10,18 @@ glm::vec4 surface_color(const VertexInputs& in, std::uint32_t vertex) {
 
 } // namespace
 
+shading::SurfacePoint
+vertex_surface(const VertexInputs& in, std::uint32_t vertex, const math::EyePosition& eye) {
+    const glm::vec3 position{eye.x, eye.y, eye.z};
+    return {
+        .position = position,
+        .normal = in.transforms.normal * in.mesh->normals[vertex],
+        .to_viewer = shading::to_viewer(in.shading, position),
+        .color = surface_color(in, vertex),
+        .specular = in.shading.specular,
+        .shininess = in.shading.shininess};
+}
+
 VertexWork run_vertex(const VertexInputs& in, std::uint32_t vertex) {
     VertexWork work;
 
@@ -20,30 +32,19 @@ VertexWork run_vertex(const VertexInputs& in, std::uint32_t vertex) {
     work.clip = in.transforms.projection(work.eye);
 
     // Gather what the rasterizer will interpolate
-    const glm::vec3 eye_position{work.eye.x, work.eye.y, work.eye.z};
     work.varyings.set(0, surface_color(in, vertex));
     if (in.layout.uv >= 0) {
         work.varyings.set(in.layout.uv, in.mesh->uvs[vertex]);
     }
-    const bool lit = in.shading.shading == scene::Shading::gouraud || in.layout.normal >= 0;
-    const glm::vec3 normal =
-        lit ? in.transforms.normal * in.mesh->normals[vertex] : glm::vec3{0.0F};
     if (in.layout.normal >= 0) {
-        work.varyings.set(in.layout.normal, normal);
-        work.varyings.set(in.layout.eye_position, eye_position);
+        work.varyings.set(in.layout.normal, in.transforms.normal * in.mesh->normals[vertex]);
+        work.varyings.set(in.layout.eye_position, glm::vec3{work.eye.x, work.eye.y, work.eye.z});
     }
 
     // Light the vertex
     if (in.shading.shading == scene::Shading::gouraud) {
-        work.terms = shading::light_surface(
-            {.position = eye_position,
-             .normal = normal,
-             .to_viewer = shading::to_viewer(in.shading, eye_position),
-             .color = work.varyings.color(),
-             .specular = in.shading.specular,
-             .shininess = in.shading.shininess},
-            in.shading.lights
-        );
+        work.terms =
+            shading::light_surface(vertex_surface(in, vertex, work.eye), in.shading.lights);
         work.varyings.set(0, work.terms->color);
     }
     return work;

@@ -48,6 +48,10 @@ struct VertexWork {
     std::optional<shading::LightingTerms> terms; ///< Gouraud only
 };
 
+/// What is lit at a vertex.
+shading::SurfacePoint
+vertex_surface(const VertexInputs& in, std::uint32_t vertex, const math::EyePosition& eye);
+
 /// Runs the stage for one vertex of the mesh. A pure function.
 VertexWork run_vertex(const VertexInputs& in, std::uint32_t vertex);
 

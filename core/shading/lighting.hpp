@@ -43,6 +43,23 @@ struct LightingTerms {
     glm::vec4 color{0.0F};
 };
 
+/// What one light adds to a point, and the numbers behind it. What is not asked stays 0: all of it
+/// where the light is behind the surface (n·l <= 0), the half vector where nothing is specular.
+struct LightShare {
+    scene::LightKind kind = scene::LightKind::directional;
+    glm::vec3 color{0.0F};
+    glm::vec3 to_light{0.0F}; ///< l
+    glm::vec3 half{0.0F};     ///< h, halfway between l and the direction to the viewer
+    float n_dot_l = 0.0F;
+    float n_dot_h = 0.0F;
+    glm::vec3 ambient{0.0F};
+    glm::vec3 diffuse{0.0F};
+    glm::vec3 specular{0.0F};
+};
+
+/// One after the other; their sums are what `light_surface` returns.
+std::vector<LightShare> light_shares(const SurfacePoint& point, std::span<const EyeLight> lights);
+
 LightingTerms light_surface(const SurfacePoint& point, std::span<const EyeLight> lights);
 
 } // namespace hs::shading

@@ -35,6 +35,19 @@ struct ShadedFragment {
 /// Unit vector from a point in eye space to the viewer.
 glm::vec3 to_viewer(const ShadingInputs& in, const glm::vec3& eye_position);
 
+/// What is lit at a fragment. Precondition: the layout has normal and position.
+inline SurfacePoint
+surface_at(const ShadingInputs& in, const math::Varyings& varyings, const glm::vec4& color) {
+    const glm::vec3 position = varyings.vec3_at(in.layout.eye_position);
+    return {
+        .position = position,
+        .normal = varyings.vec3_at(in.layout.normal),
+        .to_viewer = to_viewer(in, position),
+        .color = color,
+        .specular = in.specular,
+        .shininess = in.shininess};
+}
+
 /// Surface color = interpolated color × texel; with Phong shading it is lit here, otherwise it was
 /// lit (or not) before. Gouraud and flat colors are lit per vertex and then modulated, specular
 /// part included, as OpenGL's fixed pipeline did.
@@ -47,16 +60,7 @@ inline ShadedFragment shade(const ShadingInputs& in, const math::Varyings& varyi
         result.color *= in.texture->texel(texel.i, texel.j);
     }
     if (in.shading == scene::Shading::phong) {
-        const glm::vec3 position = varyings.vec3_at(in.layout.eye_position);
-        result.terms = light_surface(
-            {.position = position,
-             .normal = varyings.vec3_at(in.layout.normal),
-             .to_viewer = to_viewer(in, position),
-             .color = result.color,
-             .specular = in.specular,
-             .shininess = in.shininess},
-            in.lights
-        );
+        result.terms = light_surface(surface_at(in, varyings, result.color), in.lights);
         result.color = result.terms->color;
     }
     return result;

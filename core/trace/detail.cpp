@@ -178,6 +178,18 @@ empty_triangle_detail(const Recording& recording, std::uint32_t object, std::uin
     return detail;
 }
 
+LitPoint light(const pipeline::DrawCall& call, const shading::SurfacePoint& surface) {
+    return {surface, shading::light_shares(surface, call.vertex.shading.lights)};
+}
+
+/// The surface that per-fragment lighting met: what shading gives before it is lit.
+LitPoint lit_fragment(const pipeline::DrawCall& call, const math::Varyings& varyings) {
+    shading::ShadingInputs unlit = call.vertex.shading;
+    unlit.shading = scene::Shading::unlit;
+    const glm::vec4 color = shading::shade(unlit, varyings).color;
+    return light(call, shading::surface_at(call.vertex.shading, varyings, color));
+}
+
 } // namespace
 
 VertexDetail vertex_detail(const Recording& recording, std::uint32_t object, std::uint32_t vertex) {
@@ -189,6 +201,9 @@ VertexDetail vertex_detail(const Recording& recording, std::uint32_t object, std
     detail.work = pipeline::run_vertex(call.vertex, vertex);
     detail.outcode = geometry::outcode(call.volume, detail.work.clip);
     detail.window = geometry::to_window(detail.work.clip, call.viewport);
+    if (detail.work.terms) {
+        detail.lit = light(call, pipeline::vertex_surface(call.vertex, vertex, detail.work.eye));
+    }
     return detail;
 }
 
@@ -233,6 +248,11 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
         pixels,
         trace
     );
+
+    if (detail.fragment && detail.fragment->shaded && detail.fragment->shaded->terms) {
+        detail.fragment->lit =
+            lit_fragment(recording.frame->calls()[step.object], detail.fragment->fragment.varyings);
+    }
 
     // Ask the pixel's edge test again; across the eye there is none
     const auto& pieces = detail.triangle->pieces;

@@ -12,6 +12,12 @@
 
 namespace hs::trace {
 
+/// A point that was lit, and what each light adds to it.
+struct LitPoint {
+    shading::SurfacePoint surface;
+    std::vector<shading::LightShare> lights;
+};
+
 struct VertexDetail {
     std::uint32_t object = 0;
     std::uint32_t vertex = 0;
@@ -19,6 +25,7 @@ struct VertexDetail {
     pipeline::VertexWork work;
     geometry::Outcode outcode = 0;
     geometry::WindowVertex window; ///< meaningful when status is `placed`
+    std::optional<LitPoint> lit;   ///< per-vertex lighting only
 };
 
 /// One plane's pass over the polygon.
@@ -73,6 +80,7 @@ struct FragmentDetail {
     std::uint32_t triangle = no_triangle; ///< over the whole frame
     raster::Fragment fragment;
     std::optional<shading::ShadedFragment> shaded;
+    std::optional<LitPoint> lit; ///< per-fragment lighting only
     std::optional<bool> scissor_inside;
     std::optional<pipeline::DepthTest> depth_test;
     std::optional<pipeline::Merge> merge;
