@@ -24,13 +24,18 @@ struct Corner {
     glm::dvec3 position{0.0};
     glm::dvec3 weights{
         0.0}; ///< of its triangle's three vertices in clip coordinates; they sum to one
+    friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// A convex polygon: a triangle, or what clipping or splitting left of one.
+/// A convex polygon: a triangle, what clipping or splitting left of one, or a flat convex face of
+/// several triangles. Such a face has no weights and is only for algorithms that never split
+/// (painter's, front lists): it is drawn by drawing its triangles one after the other.
 template <typename Space>
 struct Polygon {
-    std::uint32_t triangle = 0; ///< over the whole frame, in file order
-    std::uint16_t part = 0;     ///< 0 for a whole triangle; splitting numbers the parts from there
+    std::uint32_t triangle = 0;       ///< over the whole frame, in file order; of a face the first
+    std::uint32_t triangle_count = 1; ///< of a face: that many, numbered on from the first
+    std::uint32_t part = 0; ///< parts of one triangle are numbered in the order they were cut off
+    bool split = false;     ///< an algorithm cut it: draw these corners, not the whole triangle
     std::vector<Corner<Space>> corners; ///< three or more, in the triangle's winding
 };
 
