@@ -2,6 +2,7 @@
 // cannot be ordered is exactly what lies on cycles.
 #include "tests/support/visible_surfaces.hpp"
 
+#include "core/visibility/bsp_walk.hpp"
 #include "core/visibility/depth_sort.hpp"
 #include "core/visibility/front_lists.hpp"
 #include "tests/support/catch.hpp"
@@ -200,4 +201,99 @@ TEST_CASE(
     }
     CHECK(tally.wrong == 0);
     CHECK(tally.asked > 80'000);
+}
+
+namespace {
+
+/// Some eyes: among the triangles, outside, and infinitely far away.
+std::vector<glm::dvec4> random_eyes(tests::Random& random) {
+    const auto coordinate = [&] { return static_cast<double>(random.between(-1.0F, 1.0F)); };
+    std::vector<glm::dvec4> eyes;
+    for (const double reach : {1.0, 5.0}) {
+        eyes.emplace_back(reach * coordinate(), reach * coordinate(), reach * coordinate(), 1.0);
+    }
+    const glm::dvec3 direction{coordinate(), coordinate(), coordinate()};
+    eyes.emplace_back(glm::normalize(direction), 0.0);
+    return eyes;
+}
+
+/// Looks along rays: is the first polygon met in a front-to-back order of the nearest triangle?
+void look(
+    std::span<const visibility::WorldPolygon> given,
+    std::span<const visibility::WorldPolygon> parts,
+    std::span<const std::int32_t> front_to_back,
+    const glm::dvec4& eye,
+    tests::Random& random,
+    Tally& tally
+) {
+    constexpr double margin = 1.0e-5; // of the cube's half side: tens of tolerances
+    for (int i = 0; i < 100; ++i) {
+        const tests::Ray ray = tests::random_ray(eye, random);
+        const auto nearest = tests::nearest_met(given, ray, margin);
+        const auto first = tests::first_met(parts, front_to_back, ray, margin);
+        if (nearest && first) {
+            ++tally.asked;
+            tally.wrong += *nearest == *first ? 0 : 1;
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("one BSP tree shows the nearest triangle from every eye", "[property][visibility]") {
+    using visibility::WalkOrder;
+    tests::Random random(405);
+    visibility::SilentOrder silent;
+    Tally tally;
+    int splits = 0;
+    int not_reversed = 0;
+    for (int round = 0; round < 60; ++round) {
+        const auto given =
+            tests::random_world_triangles(2 + random.below(40), random.between(0.1F, 1.0F), random);
+        const auto splitter = static_cast<visibility::Splitter>(round % 3);
+        const auto tree = visibility::build_bsp(given, {splitter, random.next()}, silent);
+        splits += tree.splits;
+        for (const glm::dvec4& eye : random_eyes(random)) {
+            const auto near = visibility::walk_bsp(tree, eye, WalkOrder::front_to_back, silent);
+            auto far = visibility::walk_bsp(tree, eye, WalkOrder::back_to_front, silent);
+            std::ranges::reverse(far.order);
+            not_reversed += near.order == far.order ? 0 : 1;
+            look(given, tree.set.polygons, near.order, eye, random, tally);
+        }
+    }
+    CHECK(tally.wrong == 0);
+    CHECK(tally.asked > 10'000);
+    CHECK(splits > 1000);
+    CHECK(not_reversed == 0);
+}
+
+TEST_CASE("every node of a BSP tree has its subtrees on its two sides", "[property][visibility]") {
+    tests::Random random(406);
+    visibility::SilentOrder silent;
+    int wrong = 0;
+    int nodes = 0;
+    for (int round = 0; round < 30; ++round) {
+        const auto given = tests::random_world_triangles(40, 0.8F, random);
+        const auto splitter = static_cast<visibility::Splitter>(round % 3);
+        const auto tree = visibility::build_bsp(given, {splitter, random.next()}, silent);
+        nodes += static_cast<int>(tree.nodes.size());
+        // From every node up: on its side of all planes above it
+        for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            auto child = static_cast<std::int32_t>(i);
+            for (std::int32_t up = tree.nodes[i].parent; up >= 0;) {
+                const visibility::BspNode& above = tree.nodes[static_cast<std::size_t>(up)];
+                const auto side =
+                    above.front == child ? visibility::Side::front : visibility::Side::back;
+                for (const std::int32_t polygon : tree.nodes[i].polygons) {
+                    wrong += visibility::classify(above.plane, tree.set.polygon(polygon)) == side
+                                 ? 0
+                                 : 1;
+                }
+                child = up;
+                up = above.parent;
+            }
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(nodes > 2000);
 }

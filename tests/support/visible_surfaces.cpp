@@ -191,4 +191,117 @@ std::optional<int> nearest_at(
     return second - depth < depth_margin ? std::nullopt : std::optional{nearest};
 }
 
+std::vector<WorldPolygon> random_world_triangles(std::uint32_t count, float size, Random& random) {
+    const auto within = [&](float reach) {
+        return glm::vec3{
+            random.between(-reach, reach),
+            random.between(-reach, reach),
+            random.between(-reach, reach)};
+    };
+    std::vector<WorldPolygon> triangles;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const glm::vec3 middle = within(1.0F);
+        std::array<glm::dvec3, 3> corners;
+        for (glm::dvec3& corner : corners) {
+            corner = glm::dvec3{middle + within(size)};
+        }
+        triangles.push_back(triangle_of<math::WorldSpace>(i, corners));
+    }
+    return triangles;
+}
+
+Ray random_ray(const glm::dvec4& eye, Random& random) {
+    const glm::dvec3 target{
+        random.between(-1.0F, 1.0F), random.between(-1.0F, 1.0F), random.between(-1.0F, 1.0F)};
+    if (eye.w == 0.0) {
+        return {target + 100.0 * glm::dvec3{eye}, -glm::dvec3{eye}};
+    }
+    const glm::dvec3 origin = glm::dvec3{eye} / eye.w;
+    return {origin, glm::normalize(target - origin)};
+}
+
+namespace {
+
+struct Meeting {
+    bool unclear = false;
+    bool met = false;
+    double distance = 0.0;
+};
+
+Meeting meet(const WorldPolygon& polygon, const Ray& ray, double margin) {
+    const std::size_t count = polygon.corners.size();
+    glm::dvec3 normal{0.0};
+    for (std::size_t i = 0; i < count; ++i) {
+        normal += glm::cross(
+            polygon.corners[i].position - polygon.corners[0].position,
+            polygon.corners[(i + 1) % count].position - polygon.corners[0].position
+        );
+    }
+    if (normal == glm::dvec3{0.0}) {
+        return {};
+    }
+    normal = glm::normalize(normal);
+    const double along = glm::dot(normal, ray.direction);
+    const double t = glm::dot(normal, polygon.corners[0].position - ray.origin) / along;
+    const bool steep = std::fabs(along) < 0.01;
+    const glm::dvec3 p = ray.origin + t * ray.direction;
+
+    // Distances from the edges in the plane, positive inside
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 a = polygon.corners[i].position;
+        const glm::dvec3 edge = polygon.corners[(i + 1) % count].position - a;
+        if (glm::length(edge) > 0.0) {
+            const glm::dvec3 inward = glm::normalize(glm::cross(normal, edge));
+            nearest = std::min(nearest, glm::dot(inward, p - a));
+        }
+    }
+    return {
+        .unclear = t > 0.0 && (std::fabs(nearest) < margin || (steep && nearest > -margin)),
+        .met = t > 0.0 && nearest > 0.0,
+        .distance = t};
+}
+
+} // namespace
+
+std::optional<int> first_met(
+    std::span<const WorldPolygon> polygons,
+    std::span<const std::int32_t> order,
+    const Ray& ray,
+    double margin
+) {
+    for (const std::int32_t i : order) {
+        const WorldPolygon& polygon = polygons[static_cast<std::size_t>(i)];
+        const Meeting meeting = meet(polygon, ray, margin);
+        if (meeting.unclear) {
+            return std::nullopt;
+        }
+        if (meeting.met) {
+            return static_cast<int>(polygon.triangle);
+        }
+    }
+    return -1;
+}
+
+std::optional<int>
+nearest_met(std::span<const WorldPolygon> triangles, const Ray& ray, double margin) {
+    int nearest = -1;
+    double distance = std::numeric_limits<double>::infinity();
+    double second = distance;
+    for (const WorldPolygon& triangle : triangles) {
+        const Meeting meeting = meet(triangle, ray, margin);
+        if (meeting.unclear) {
+            return std::nullopt;
+        }
+        if (meeting.met && meeting.distance < distance) {
+            nearest = static_cast<int>(triangle.triangle);
+            second = distance;
+            distance = meeting.distance;
+        } else if (meeting.met) {
+            second = std::min(second, meeting.distance);
+        }
+    }
+    return second - distance < margin ? std::nullopt : std::optional{nearest};
+}
+
 } // namespace hs::tests

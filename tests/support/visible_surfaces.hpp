@@ -58,4 +58,31 @@ std::optional<int> nearest_at(
     double depth_margin
 );
 
+/// Triangles of about `size` anywhere in the cube from −1 to 1, which penetrate each other freely.
+/// Coordinates are floats.
+std::vector<visibility::WorldPolygon>
+random_world_triangles(std::uint32_t count, float size, Random& random);
+
+struct Ray {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0};
+};
+
+/// From an eye (w = 0: a direction toward it) to a random point of the cube.
+Ray random_ray(const glm::dvec4& eye, Random& random);
+
+/// The triangle of the first polygon in `order`, front to back, that a ray meets; −1: none. Nothing
+/// where the ray passes within `margin` of an edge, or along a plane.
+std::optional<int> first_met(
+    std::span<const visibility::WorldPolygon> polygons,
+    std::span<const std::int32_t> order,
+    const Ray& ray,
+    double margin
+);
+
+/// The triangle that a ray meets nearest to its origin; −1: none. Nothing where the ray passes
+/// within `margin` of an edge, along a plane, or meets two triangles as near to each other.
+std::optional<int>
+nearest_met(std::span<const visibility::WorldPolygon> triangles, const Ray& ray, double margin);
+
 } // namespace hs::tests
