@@ -5,6 +5,7 @@
 #include "core/visibility/bsp_walk.hpp"
 #include "core/visibility/depth_sort.hpp"
 #include "core/visibility/front_lists.hpp"
+#include "core/visibility/octree_walk.hpp"
 #include "tests/support/catch.hpp"
 
 #include <algorithm>
@@ -296,4 +297,64 @@ TEST_CASE("every node of a BSP tree has its subtrees on its two sides", "[proper
     }
     CHECK(wrong == 0);
     CHECK(nodes > 2000);
+}
+
+TEST_CASE(
+    "an octree shows the nearest triangle wherever its leaves decide", "[property][visibility]"
+) {
+    tests::Random random(407);
+    visibility::SilentOrder silent;
+    Tally decided;
+    int undecided = 0;
+    int splits = 0;
+    for (int round = 0; round < 60; ++round) {
+        const auto given =
+            tests::random_world_triangles(2 + random.below(40), random.between(0.1F, 0.6F), random);
+        const auto depth = static_cast<std::int32_t>(random.below(6));
+        const auto tree = visibility::build_octree(given, {.occupancy = 3, .depth = depth}, silent);
+        splits += tree.splits;
+        for (const glm::dvec4& eye : random_eyes(random)) {
+            const auto walk = visibility::walk_octree(tree, eye, silent);
+            undecided += walk.undecided > 0 ? 1 : 0;
+            if (walk.undecided == 0) {
+                look(given, tree.set.polygons, walk.order, eye, random, decided);
+            }
+        }
+    }
+    CHECK(decided.wrong == 0);
+    CHECK(decided.asked > 3'000);
+    CHECK(splits > 1000);
+    CHECK(undecided > 10); // triangles penetrate each other
+}
+
+TEST_CASE("an octree keeps every part in one leaf and all of the area", "[property][visibility]") {
+    tests::Random random(408);
+    visibility::SilentOrder silent;
+    int outside = 0;
+    double worst = 0.0;
+    for (int round = 0; round < 20; ++round) {
+        const auto given = tests::random_world_triangles(30, 0.5F, random);
+        const auto tree = visibility::build_octree(given, {}, silent);
+        std::vector<int> leaves(tree.set.polygons.size());
+        std::vector<double> areas(given.size());
+        for (const visibility::OctreeCell& cell : tree.cells) {
+            for (const std::int32_t i : cell.polygons) {
+                ++leaves[static_cast<std::size_t>(i)];
+                areas[tree.set.polygon(i).triangle] += visibility::area(tree.set.polygon(i));
+                for (const auto& corner : tree.set.polygon(i).corners) {
+                    const glm::dvec3 away = glm::abs(corner.position - cell.middle);
+                    const double reach = cell.half_side + 1.0e-6;
+                    outside += away.x > reach || away.y > reach || away.z > reach ? 1 : 0;
+                }
+            }
+        }
+        outside += static_cast<int>(
+            leaves.size() - static_cast<std::size_t>(std::ranges::count(leaves, 1))
+        );
+        for (std::size_t i = 0; i < given.size(); ++i) {
+            worst = std::max(worst, std::fabs(areas[i] - visibility::area(given[i])));
+        }
+    }
+    CHECK(outside == 0);
+    CHECK(worst <= 256.0 * 0x1p-53);
 }
