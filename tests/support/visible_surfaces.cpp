@@ -242,6 +242,9 @@ Meeting meet(const WorldPolygon& polygon, const Ray& ray, double margin) {
     }
     normal = glm::normalize(normal);
     const double along = glm::dot(normal, ray.direction);
+    if (along == 0.0) {
+        return {.unclear = true};
+    }
     const double t = glm::dot(normal, polygon.corners[0].position - ray.origin) / along;
     const bool steep = std::fabs(along) < 0.01;
     const glm::dvec3 p = ray.origin + t * ray.direction;
