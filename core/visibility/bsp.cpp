@@ -1,7 +1,8 @@
 #include "core/visibility/bsp.hpp"
 
+#include "core/visibility/growth.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace hs::visibility {
 
@@ -47,31 +48,14 @@ struct QuestionCount {
     }
 };
 
-/// Questions for a tree of `count` polygons spread evenly over the list.
-double
-sample_cost(std::span<const WorldPolygon> polygons, std::size_t count, const BspOptions& options) {
-    std::vector<WorldPolygon> sample;
-    for (std::size_t k = 0; k < count; ++k) {
-        sample.push_back(polygons[k * polygons.size() / count]);
-    }
-    QuestionCount questions;
-    static_cast<void>(build_bsp(std::move(sample), options, questions));
-    return questions.count;
-}
-
 } // namespace
 
 double estimate_bsp(std::span<const WorldPolygon> polygons, const BspOptions& options) {
-    constexpr std::size_t small = 256;
-    constexpr std::size_t large = 2048;
-    if (polygons.size() <= large) {
-        return sample_cost(polygons, polygons.size(), options);
-    }
-    const double cost = sample_cost(polygons, large, options);
-    const double growth = cost / std::max(sample_cost(polygons, small, options), 1.0);
-    const double power = std::log(growth) / std::log(static_cast<double>(large) / small);
-    const double times = static_cast<double>(polygons.size()) / large;
-    return cost * std::pow(times, std::clamp(power, 1.0, 2.0));
+    return extrapolate_cost(polygons.size(), [&](std::size_t count) {
+        QuestionCount questions;
+        static_cast<void>(build_bsp(sample_of(polygons, count), options, questions));
+        return questions.count;
+    });
 }
 
 } // namespace hs::visibility

@@ -217,8 +217,8 @@ build_bsp(std::vector<WorldPolygon> polygons, const BspOptions& options, Sink& s
 }
 
 /// How often building will ask on which side of a plane a polygon lies, candidates included.
-/// Extrapolated from trees of 256 and 2048 polygons out of all, as a power of their number: n² for
-/// a convex surface with `first`, little more than n for triangles in no order.
+/// Extrapolated from trees of some of the polygons (growth.hpp): n² for a convex surface with
+/// `first`, little more than n for triangles in no order, more where they penetrate each other.
 [[nodiscard]] double
 estimate_bsp(std::span<const WorldPolygon> polygons, const BspOptions& options);
 

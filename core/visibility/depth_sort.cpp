@@ -1,5 +1,7 @@
 #include "core/visibility/depth_sort.hpp"
 
+#include "core/visibility/growth.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -27,23 +29,21 @@ bool cuts(const DepthSort& sort, std::int32_t by, std::int32_t polygon) {
     return classify(sort.set.plane(by), sort.set.polygon(polygon)) == Side::spanning;
 }
 
+struct TestCount {
+    double count = 0.0;
+    void order_step(const OrderEvent& event, const DepthSort&) {
+        count += event.kind == OrderEventKind::test ? 1.0 : 0.0;
+    }
+};
+
 } // namespace
 
 double estimate_depth_sort(std::span<const WindowPolygon> polygons) {
-    // In the order of farthest depths, P overlaps those that follow it up to its own nearest depth
-    std::vector<double> far;
-    for (const WindowPolygon& polygon : polygons) {
-        far.push_back(extents_of(polygon).high.z);
-    }
-    std::ranges::sort(far);
-    double pairs = 0.0;
-    for (const WindowPolygon& polygon : polygons) {
-        const Extents extents = extents_of(polygon);
-        const auto first = std::ranges::upper_bound(far, extents.low.z);
-        const auto last = std::ranges::lower_bound(far, extents.high.z);
-        pairs += static_cast<double>(std::max(last - first, std::ptrdiff_t{0}));
-    }
-    return pairs;
+    return extrapolate_cost(polygons.size(), [&](std::size_t count) {
+        TestCount tests;
+        static_cast<void>(sort_by_depth(sample_of(polygons, count), tests));
+        return tests.count;
+    });
 }
 
 DepthSort begin_depth_sort(std::vector<WindowPolygon> polygons) {

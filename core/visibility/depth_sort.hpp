@@ -37,7 +37,8 @@ struct DepthSort {
     std::int32_t splits = 0;
 };
 
-/// Pairs that overlap in depth: at least that many are tested. Costs a sort.
+/// How many tests sorting will take, extrapolated from some of the polygons (growth.hpp): n² where
+/// depths overlap, and more where polygons penetrate each other and parts are tested, too.
 [[nodiscard]] double estimate_depth_sort(std::span<const WindowPolygon> polygons);
 
 /// The list by falling farthest depth; equal ones in the order of the file.

@@ -54,7 +54,7 @@ Place place_of(const WindowPolygon& polygon, const glm::dvec2& point, double mar
         left = left || distance > 0.0;
         right = right || distance < 0.0;
     }
-    return near ? Place::near_edge : left && right ? Place::outside : Place::inside;
+    return near ? Place::near_edge : left == right ? Place::outside : Place::inside;
 }
 
 /// From sub-triangle areas: nothing the algorithms know.

@@ -27,9 +27,13 @@ namespace {
 
 struct Counter {
     std::array<std::int64_t, 64> counts{};
+    std::int64_t candidate_questions = 0;
     template <typename State>
     void order_step(const visibility::OrderEvent& event, const State&) {
         ++counts[static_cast<std::size_t>(event.kind)];
+        if (event.kind == OrderEventKind::candidate) {
+            candidate_questions += static_cast<std::int64_t>(event.other_value);
+        }
     }
     [[nodiscard]] std::int64_t of(OrderEventKind kind) const {
         return counts[static_cast<std::size_t>(kind)];
@@ -59,12 +63,12 @@ void measure_window(const std::string& name, const std::vector<WindowPolygon>& p
             );
         });
     }
-    if (visibility::estimate_depth_sort(polygons) < 3.0e8) {
+    if (const double estimate = visibility::estimate_depth_sort(polygons); estimate < 1.0e9) {
         measure(name + ", depth sort", polygons.size(), [&](Counter& counter) {
             const auto sort = visibility::sort_by_depth(polygons, counter);
             return fmt::format(
-                "estimate {} tests {} moves {} splits {} anyway {}",
-                visibility::estimate_depth_sort(polygons),
+                "estimate {:.0f} tests {} moves {} splits {} anyway {}",
+                estimate,
                 counter.of(OrderEventKind::test),
                 counter.of(OrderEventKind::move),
                 sort.splits,
@@ -90,9 +94,9 @@ void measure_world(const std::string& name, const std::vector<WorldPolygon>& pol
         measure(name + ", BSP " + splitter_name, polygons.size(), [&](Counter& counter) {
             const auto tree = visibility::build_bsp(polygons, options, counter);
             return fmt::format(
-                "estimate {:.0f} classified {} splits {} nodes {}",
+                "estimate {:.0f} asked {} splits {} nodes {}",
                 estimate,
-                counter.of(OrderEventKind::classify),
+                counter.of(OrderEventKind::classify) + counter.candidate_questions,
                 tree.splits,
                 tree.nodes.size()
             );

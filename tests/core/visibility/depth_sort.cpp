@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 using namespace hs;
 using tests::window_triangle;
@@ -126,13 +127,23 @@ TEST_CASE("one plane, duplicates and no area need no cut", "[visibility]") {
     CHECK(visibility::sort_by_depth({}, trace).order.empty());
 }
 
-TEST_CASE("the estimate counts the pairs that overlap in depth", "[visibility]") {
-    const std::vector<WindowPolygon> apart{
-        leaning(0, 0, 0, 10, 0.1, 0.1), leaning(1, 0, 0, 10, 0.3, 0.1)};
-    CHECK(visibility::estimate_depth_sort(apart) == 0.0);
-    const std::vector<WindowPolygon> chain{
-        leaning(0, 0, 0, 10, 0.1, 1.0),
-        leaning(1, 0, 0, 10, 0.15, 1.0),
-        leaning(2, 0, 0, 10, 0.22, 1.0)};
-    CHECK(visibility::estimate_depth_sort(chain) == 2.0);
+TEST_CASE("the estimate is exact for few polygons and close for many", "[visibility]") {
+    struct Counter {
+        double tests = 0.0;
+        void order_step(const OrderEvent& event, const DepthSort&) {
+            tests += event.kind == OrderEventKind::test ? 1.0 : 0.0;
+        }
+    };
+    tests::Random random(461);
+    for (const auto& [count, size] : {std::pair{60U, 20.0F}, {3000U, 1.0F}, {350U, 40.0F}}) {
+        const auto polygons = tests::random_window_triangles(count, size, random);
+        Counter counter;
+        static_cast<void>(visibility::sort_by_depth(polygons, counter));
+        const double estimate = visibility::estimate_depth_sort(polygons);
+        INFO(count << " polygons: " << estimate << " estimated, " << counter.tests << " taken");
+        CHECK(estimate > counter.tests / 3.0);
+        CHECK(estimate < counter.tests * 3.0);
+        CHECK((count > 60 || estimate == counter.tests));
+    }
+    CHECK(visibility::estimate_depth_sort({}) <= 1.0);
 }
