@@ -35,10 +35,12 @@ Exit status: 0 done, 1 the answer is no, 2 usage or bad input (one line on stder
 /// frames a second.
 void keep_freed_memory() {
     constexpr int megabyte = 1 << 20;
+    // NOLINTBEGIN(concurrency-mt-unsafe): main calls this before any thread is started
     mallopt(M_MMAP_MAX, 0);                    // large blocks come from the heap, too, which
     mallopt(M_TRIM_THRESHOLD, 256 * megabyte); // keeps this much at its end
     mallopt(M_TOP_PAD, 16 * megabyte);         // and grows in steps of this
     mallopt(M_ARENA_MAX, 1);                   // one heap: other threads allocate rarely
+    // NOLINTEND(concurrency-mt-unsafe)
 }
 
 void add_common_options(CLI::App& program, Common& common) {
@@ -54,7 +56,7 @@ void add_common_options(CLI::App& program, Common& common) {
 }
 
 std::vector<Command> add_commands(CLI::App& program, const Common& common) {
-    using namespace hs::command;
+    using namespace hs::command; // NOLINT(google-build-using-namespace): for one list
     return {
         add_open(program, common),
         add_render(program, common),
@@ -84,6 +86,7 @@ std::string unknown_command(const CLI::App& program, const std::vector<Command>&
         return "";
     }
     std::vector<std::string> names;
+    names.reserve(commands.size());
     for (const Command& command : commands) {
         names.push_back(command.app->get_name());
     }

@@ -93,6 +93,7 @@ void measure_frames_after(
         window.frame(viewer); // fonts, first pictures, the layout settles
     }
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(frames));
     for (int i = 0; i < frames; ++i) {
         times.push_back(computing_milliseconds([&] {
             input(viewer, i);

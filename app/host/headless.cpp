@@ -83,25 +83,25 @@ HeadlessHost::~HeadlessHost() {
 }
 
 void HeadlessHost::move_mouse(float x, float y) {
-    events_.push_back(Move{x, y});
+    events_.emplace_back(Move{x, y});
 }
 void HeadlessHost::press(MouseButton button) {
-    events_.push_back(Button{button, true});
+    events_.emplace_back(Button{button, true});
 }
 void HeadlessHost::release(MouseButton button) {
-    events_.push_back(Button{button, false});
+    events_.emplace_back(Button{button, false});
 }
 void HeadlessHost::wheel(float notches) {
-    events_.push_back(Wheel{notches});
+    events_.emplace_back(Wheel{notches});
 }
 void HeadlessHost::key(const viewer::KeyPress& press) {
-    events_.push_back(press);
+    events_.emplace_back(press);
 }
 void HeadlessHost::text(std::string_view text) {
-    events_.push_back(Text{std::string{text}});
+    events_.emplace_back(Text{std::string{text}});
 }
 void HeadlessHost::drop(const std::filesystem::path& file) {
-    events_.push_back(Drop{file});
+    events_.emplace_back(Drop{file});
 }
 void HeadlessHost::click(float x, float y, MouseButton button) {
     move_mouse(x, y);

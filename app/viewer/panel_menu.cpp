@@ -150,7 +150,6 @@ void draw_menu(Context& context, const Rect& rect) {
         false,
         ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar
     );
-    float end = rect.x;
     if (ImGui::BeginMenuBar()) {
         ImGui::PopStyleVar();
         const auto menu = [&](const char* label, void (*draw)(Context&)) {
@@ -163,8 +162,7 @@ void draw_menu(Context& context, const Rect& rect) {
         menu("View", view_menu);
         menu("Lessons", lessons_menu);
         menu("Help", help_menu);
-        end = ImGui::GetCursorScreenPos().x;
-        draw_place(context, rect, end);
+        draw_place(context, rect, ImGui::GetCursorScreenPos().x);
         ImGui::PushStyleVar(
             ImGuiStyleVar_FramePadding,
             {theme.units(2), (rect.height - theme.fonts.text->FontSize) * 0.5F}

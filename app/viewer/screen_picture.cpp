@@ -102,7 +102,7 @@ PixelRect ScreenPicture::texels_of(const PixelRect& pixels) const {
 void ScreenPicture::mark_stale(const PixelRect& texels) {
     for (int y = texels.y0 / tile; y < rounded_up(texels.y1, tile); ++y) {
         for (int x = texels.x0 / tile; x < rounded_up(texels.x1, tile); ++x) {
-            stale_[static_cast<std::size_t>(y * tile_columns_ + x)] = true;
+            stale_[tile_index(x, y)] = true;
         }
     }
 }
@@ -111,7 +111,7 @@ std::vector<PixelRect> ScreenPicture::take_stale(const PixelRect& texels) {
     std::vector<PixelRect> list;
     for (int y = texels.y0 / tile; y < rounded_up(texels.y1, tile); ++y) {
         for (int x = texels.x0 / tile; x < rounded_up(texels.x1, tile); ++x) {
-            const auto index = static_cast<std::size_t>(y * tile_columns_ + x);
+            const std::size_t index = tile_index(x, y);
             if (stale_[index]) {
                 const PixelRect square{x * tile, y * tile, (x + 1) * tile, (y + 1) * tile};
                 list.push_back(intersect(square, {0, 0, width_, height_}));

@@ -57,6 +57,11 @@ private:
     /// The texels that stand for some of these pixels.
     [[nodiscard]] PixelRect texels_of(const PixelRect& pixels) const;
     void mark_stale(const PixelRect& texels);
+    /// Into `stale_`, of the tile in this column and row.
+    [[nodiscard]] std::size_t tile_index(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(tile_columns_) +
+               static_cast<std::size_t>(column);
+    }
     /// The stale tiles that these texels touch; they are no longer stale.
     std::vector<PixelRect> take_stale(const PixelRect& texels);
     void paint(const Document& document, std::span<const PixelRect> texels, const Theme& theme);
@@ -69,7 +74,7 @@ private:
     int block_ = 1;
     std::vector<framebuffer::Rgba8> image_;
     int tile_columns_ = 0;
-    std::vector<bool> stale_; ///< by tile
+    std::vector<bool> stale_; ///< by tile, in rows: see tile_index
     std::optional<Subject> subject_;
     ValueRange range_;
     std::vector<framebuffer::Rgba8> count_colors_;

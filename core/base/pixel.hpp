@@ -11,6 +11,7 @@ namespace hs {
 struct PixelPos {
     int x = 0;
     int y = 0;
+    // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 misreads a defaulted comparison
     friend auto operator<=>(const PixelPos&, const PixelPos&) = default;
 };
 

@@ -223,10 +223,12 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
     }
     for (std::size_t entry = index_entry_of_step(recording, last);; --entry) {
         const Outline window = outline(recording, entry);
-        for (auto step = window.steps.rbegin(); step != window.steps.rend(); ++step) {
-            if (step->id >= first && step->id <= last && matches(*step, parts)) {
-                return step->id;
-            }
+        const auto step =
+            std::find_if(window.steps.rbegin(), window.steps.rend(), [&](const Step& candidate) {
+                return candidate.id >= first && candidate.id <= last && matches(candidate, parts);
+            });
+        if (step != window.steps.rend()) {
+            return step->id;
         }
         if (window.first_step <= first) {
             return no_step(describe_missing(parts, *parts.object, *parts.triangle));

@@ -75,7 +75,8 @@ polygons = [[0, 1, 2]]
     viewer::SpaceLines lines;
     viewer::SpaceView view;
     view.area = {0.0F, 0.0F, 300.0F, 300.0F};
-    for (float morph = 0.0F; morph <= 2.0F; morph += 0.25F) {
+    for (int quarter = 0; quarter <= 8; ++quarter) {
+        const float morph = static_cast<float>(quarter) * 0.25F;
         for (const bool side : {false, true}) {
             viewer::set_morph(view, morph);
             view.side = side;

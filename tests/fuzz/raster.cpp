@@ -70,7 +70,7 @@ std::vector<PixelPos> covered(const Corners& corners, const PixelRect& image, in
     }
     const raster::TriangleSetup setup = raster::set_up(corners, area, image);
     HS_CHECK(intersect(setup.bounds, image) == setup.bounds || setup.bounds.empty(), "clipped");
-    const auto expected = emitted(scene::TraversalKind::brute_force, setup, image);
+    std::vector<PixelPos> expected = emitted(scene::TraversalKind::brute_force, setup, image);
     for (const auto& row : names<scene::TraversalKind>()) {
         HS_CHECK(emitted(row.value, setup, image) == expected, "all traversals agree");
         std::vector<PixelPos> parts = emitted(row.value, setup, image, {0, split});

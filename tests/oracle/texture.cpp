@@ -44,10 +44,10 @@ tests::Soup textured_soup(const PixelRect& image, int triangles, tests::Random& 
 /// Whether texel `shown` contains a coordinate of the range, within 10⁻⁴ texel.
 bool may_show(int shown, const tests::Range& coordinate, int size) {
     constexpr double near_boundary = 1.0e-4;
-    const auto first = std::floor(coordinate.low * size - near_boundary);
-    const auto last = std::floor(coordinate.high * size + near_boundary);
-    for (double texel = first; texel <= last; texel += 1.0) {
-        if (static_cast<int>(texel - size * std::floor(texel / size)) == shown) {
+    const auto first = std::llround(std::floor(coordinate.low * size - near_boundary));
+    const auto last = std::llround(std::floor(coordinate.high * size + near_boundary));
+    for (long long texel = first; texel <= last; ++texel) {
+        if ((texel % size + size) % size == shown) {
             return true;
         }
     }

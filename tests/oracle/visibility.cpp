@@ -20,6 +20,7 @@ TEST_CASE("every pixel shows the triangle that a ray hits first", "[oracle][visi
 #include "tests/support/ray_world.hpp"
 #include "tests/support/soup_scene.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -83,17 +84,10 @@ struct Comparison {
         return triangle >= 0 && exact(triangle).edge_within(p, honest_distance);
     }
     [[nodiscard]] bool rays_disagree(int hit, const glm::dvec2& p) const {
-        for (const glm::dvec2& step : {
-                 glm::dvec2{-1.0, 0.0},
-                 glm::dvec2{1.0, 0.0},
-                 glm::dvec2{0.0, -1.0},
-                 glm::dvec2{0.0, 1.0},
-             }) {
-            if (eye.first_hit(world, p + honest_distance * step) != hit) {
-                return true;
-            }
-        }
-        return false;
+        const std::array<glm::dvec2, 4> around{{{-1.0, 0.0}, {1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}}};
+        return std::ranges::any_of(around, [&](const glm::dvec2& step) {
+            return eye.first_hit(world, p + honest_distance * step) != hit;
+        });
     }
     [[nodiscard]] bool equally_deep(int a, int b, const glm::dvec2& p) const {
         return a >= 0 && b >= 0 && std::fabs(exact(a).depth(p) - exact(b).depth(p)) <= honest_depth;

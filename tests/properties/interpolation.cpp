@@ -20,7 +20,7 @@ struct Sample {
     raster::Fragment fragment;
     raster::Interpolants in;
     raster::TriangleSetup setup;
-    raster::EdgeValues edges;
+    raster::EdgeValues edges{};
 };
 
 /// Three vertices' values; `equal` makes them the same at all three.

@@ -64,6 +64,7 @@ std::shared_ptr<const scene::Mesh> random_mesh(Random& random, bool clip_space) 
     for (std::uint32_t i = 0; i < vertices; ++i) {
         mesh->positions.push_back(random_position(random, clip_space));
         // Braces: arguments in parentheses are drawn in the order the compiler likes
+        // NOLINTNEXTLINE(modernize-use-emplace)
         mesh->colors.push_back(glm::vec4{
             random.between(0.0F, 1.0F),
             random.between(0.0F, 1.0F),

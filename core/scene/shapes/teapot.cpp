@@ -164,8 +164,7 @@ void weld(Mesh& mesh) {
 
 Mesh teapot(int triangles) {
     // 32 patches of 2n² triangles; 8 of them meet a pole, where n triangles have no area.
-    const double wanted = static_cast<double>(triangles);
-    const double root = (8.0 + std::sqrt(64.0 + 256.0 * wanted)) / 128.0;
+    const double root = (8.0 + std::sqrt(64.0 + 256.0 * triangles)) / 128.0;
     const int n = std::max(2, static_cast<int>(std::lround(root)));
     Mesh mesh;
     for (const PatchFamily& family : families) {

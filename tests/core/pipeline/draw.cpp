@@ -52,7 +52,7 @@ TriangleVerdict verdict_on(
     const glm::vec4& a,
     const glm::vec4& b,
     const glm::vec4& c,
-    scene::Settings settings = settings_of(16, 16)
+    const scene::Settings& settings = settings_of(16, 16)
 ) {
     return outcome({{a}, {b}, {c}}, settings).verdicts.front();
 }

@@ -59,6 +59,7 @@ TEST_CASE("facing across the eye is the clipped polygon's", "[raster][homogeneou
     int compared = 0;
     for (int i = 0; i < 300; ++i) {
         std::vector<glm::vec4> corners;
+        corners.reserve(3);
         for (int k = 0; k < 3; ++k) {
             corners.emplace_back(
                 random.between(-2.0F, 2.0F),
