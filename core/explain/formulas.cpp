@@ -3,6 +3,7 @@
 #include "core/explain/clip_story.hpp"
 #include "core/explain/lighting.hpp"
 #include "core/explain/numbers.hpp"
+#include "core/explain/samples.hpp"
 #include "core/explain/sentence.hpp"
 #include "core/explain/traversal.hpp"
 
@@ -218,7 +219,7 @@ std::vector<Formula> setup_formulas(const raster::TriangleSetup& setup) {
 // ---- fragment
 
 Formula weights_formula(const trace::FragmentDetail& fragment, const raster::TriangleSetup& setup) {
-    const raster::EdgeValues e = setup.evaluate(fragment.fragment.pixel);
+    const raster::EdgeValues& e = fragment.edges;
     const auto& weights = fragment.fragment.barycentric;
     return {
         "barycentric weights in the window",
@@ -284,7 +285,10 @@ Formula test_formula(const pipeline::DepthTest& test) {
         {"stored depth", "passes depth test"}};
 }
 
-Formula merge_formula(const pipeline::Merge& merge) {
+Formula merge_formula(const pipeline::Merge& merge, const scene::Settings& settings) {
+    if (settings.samples > 1) {
+        return samples_merge_formula(merge);
+    }
     if (!merge.blended) {
         return {"write", "pixel = source", point(merge.source), point(merge.after)};
     }
@@ -335,8 +339,12 @@ std::vector<Formula> triangle_step_formulas(
 }
 
 /// The one formula a fragment's step computes; two for interpolation.
-std::vector<Formula>
-only_of_step(std::vector<Formula> all, const trace::FragmentDetail& fragment, StepKind kind) {
+std::vector<Formula> only_of_step(
+    std::vector<Formula> all,
+    const trace::FragmentDetail& fragment,
+    StepKind kind,
+    const scene::Settings& settings
+) {
     if (kind == StepKind::interpolate) {
         const auto before_test = [](const Formula& f) {
             return f.title.find("weights") != std::string::npos ||
@@ -364,7 +372,7 @@ only_of_step(std::vector<Formula> all, const trace::FragmentDetail& fragment, St
         return {test_formula(*fragment.depth_test)};
     }
     if (kind == StepKind::merge && fragment.merge) {
-        return {merge_formula(*fragment.merge)};
+        return {merge_formula(*fragment.merge, settings)};
     }
     return {};
 }
@@ -467,7 +475,7 @@ std::vector<Formula> fragment_formulas(
         list.push_back(test_formula(*fragment.depth_test));
     }
     if (fragment.merge) {
-        list.push_back(merge_formula(*fragment.merge));
+        list.push_back(merge_formula(*fragment.merge, settings));
     }
     return list;
 }
@@ -488,9 +496,20 @@ std::vector<Formula> formulas(
         return {};
     }
     const trace::PieceDetail* piece = piece_of(detail, step);
+    if (detail.resolve) {
+        return {resolve_formula(*detail.resolve)};
+    }
+    if (step.kind == StepKind::sample_test && piece != nullptr) {
+        return sample_formulas(
+            *piece->setup, step, detail.samples[static_cast<std::size_t>(step.sample)]
+        );
+    }
     if (step.kind == StepKind::edge_test) {
         if (!detail.visit || piece == nullptr || !piece->setup) {
             return {};
+        }
+        if (settings.sampling == scene::Sampling::conservative) {
+            return square_formulas(*piece->setup, step.pixel, detail.visit->edges);
         }
         std::vector<Formula> list =
             running_edge_formulas(*piece->setup, *detail.visit, settings.traversal);
@@ -511,7 +530,10 @@ std::vector<Formula> formulas(
             }
         }
         return only_of_step(
-            fragment_formulas(*detail.fragment, *piece, settings), *detail.fragment, step.kind
+            fragment_formulas(*detail.fragment, *piece, settings),
+            *detail.fragment,
+            step.kind,
+            settings
         );
     }
     if (detail.triangle) {

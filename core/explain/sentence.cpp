@@ -1,6 +1,7 @@
 #include "core/explain/sentence.hpp"
 
 #include "core/explain/numbers.hpp"
+#include "core/explain/samples.hpp"
 #include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +26,14 @@ std::string triangle_name(const trace::Recording& recording, const Step& step) {
 }
 
 std::string fragment_name(const trace::Recording& recording, const Step& step) {
-    return fmt::format("Fragment {} of {}", pixel(step.pixel), triangle_name(recording, step));
+    const std::string sample =
+        step.sample < 0 ? std::string{} : fmt::format("Sample {} of fragment", step.sample);
+    return fmt::format(
+        "{} {} of {}",
+        sample.empty() ? "Fragment" : sample,
+        pixel(step.pixel),
+        triangle_name(recording, step)
+    );
 }
 
 std::string vertex_sentence(const Step& step, const trace::VertexDetail& detail) {
@@ -300,9 +308,22 @@ std::string sentence(const trace::Player& player) {
     if (step.kind == StepKind::end) {
         return end_sentence(recording);
     }
+    if (step.kind == StepKind::resolve) {
+        return resolve_sentence(player);
+    }
     const StepDetail& detail = player.detail();
     if (step.in_vertex_stage() && detail.vertex) {
         return vertex_sentence(step, *detail.vertex);
+    }
+    if (step.kind == StepKind::sample_test) {
+        return sample_sentence(triangle_name(recording, step), step, detail.samples);
+    }
+    if (step.kind == StepKind::edge_test &&
+        recording.settings().sampling == scene::Sampling::conservative) {
+        const auto& piece = detail.triangle->pieces[static_cast<std::size_t>(step.piece)];
+        return square_sentence(
+            triangle_name(recording, step), step, *piece.setup, detail.visit->edges
+        );
     }
     if (step.kind == StepKind::edge_test) {
         return edge_sentence(triangle_name(recording, step), step, detail);
@@ -314,6 +335,13 @@ std::string sentence(const trace::Player& player) {
             return plane_sentence(who, step, *piece.planes, *detail.traversal->planes);
         }
         return traversal_sentence(who, step, *detail.traversal, *piece.setup);
+    }
+    if (step.kind == StepKind::merge && recording.samples.active()) {
+        return samples_merge_sentence(
+            fragment_name(recording, step),
+            recording.fragments[step.fragment],
+            detail.fragment->merge && detail.fragment->merge->blended
+        );
     }
     if (step.in_fragment() && detail.fragment) {
         return fragment_sentence(fragment_name(recording, step), step, *detail.fragment);

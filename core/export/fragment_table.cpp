@@ -93,6 +93,14 @@ Table fragment_table(const SharedRecording& recording, std::uint32_t fragments) 
     columns.push_back(named_column<fragment::FragmentFate>(
         "fragment.fate", [recording](std::size_t row) { return recording->fragments[row].fate; }
     ));
+    if (recording->samples.active()) {
+        columns.push_back(column<std::uint8_t>("fragment.coverage", [recording](std::size_t row) {
+            return recording->fragments[row].coverage;
+        }));
+        columns.push_back(column<std::uint8_t>("fragment.passed", [recording](std::size_t row) {
+            return recording->fragments[row].passed;
+        }));
+    }
     return table;
 }
 

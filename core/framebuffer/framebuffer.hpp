@@ -4,6 +4,7 @@
 #include "core/base/hash.hpp"
 #include "core/base/pixel.hpp"
 #include "core/framebuffer/color.hpp"
+#include "core/framebuffer/samples.hpp"
 #include "core/scene/settings.hpp"
 
 #include <concepts>
@@ -22,6 +23,14 @@ concept PixelTarget =
     { constant.color(pixel) } -> std::convertible_to<glm::vec4>;
     target.set_depth(pixel, depth);
     target.set_color(pixel, color);
+};
+
+/// Where the fragments of a frame with several samples a pixel read and write.
+template <typename T>
+concept SampleTarget = PixelTarget<T> &&
+    requires(T target, const T& constant, PixelPos pixel, PixelSamples samples) {
+    { constant.samples(pixel) } -> std::convertible_to<PixelSamples>;
+    target.set_samples(pixel, samples);
 };
 
 class Framebuffer {
@@ -47,17 +56,26 @@ public:
         }
     }
 
+    /// Several samples a pixel: what they hold, beside the pixel's own color and depth, which are
+    /// what resolving makes of them.
+    [[nodiscard]] PixelSamples samples(PixelPos p) const;
+    /// Rounds the colors as the format does.
+    void set_samples(PixelPos p, const PixelSamples& samples);
+
     /// Row 0 first; only for rgba8.
     [[nodiscard]] const std::vector<Rgba8>& rgba8() const { return rgba8_; }
 
-    /// Over color and depth bits of every pixel in row order. Equal digests mean bit-identical
-    /// buffers.
+    /// Over color and depth bits of every pixel, and of its samples, in row order. Equal digests
+    /// mean bit-identical buffers.
     [[nodiscard]] std::uint64_t digest() const;
 
 private:
     [[nodiscard]] std::size_t index(PixelPos p) const {
         return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(p.x);
+    }
+    [[nodiscard]] std::size_t first_sample(PixelPos p) const {
+        return index(p) * static_cast<std::size_t>(samples_);
     }
 
     int width_;
@@ -66,6 +84,11 @@ private:
     std::vector<Rgba8> rgba8_;
     std::vector<glm::vec4> rgba32f_;
     std::vector<float> depth_;
+
+    int samples_ = 1;
+    std::vector<Rgba8> sample_rgba8_; ///< pixel by pixel; empty with one sample
+    std::vector<glm::vec4> sample_rgba32f_;
+    std::vector<float> sample_depth_;
 };
 
 } // namespace hs::framebuffer

@@ -6,6 +6,7 @@
 #include "core/fragment/blend.hpp"
 #include "core/framebuffer/depth.hpp"
 #include "core/framebuffer/framebuffer.hpp"
+#include "core/pipeline/draw_samples.hpp"
 #include "core/pipeline/fault.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/pipeline/homogeneous.hpp"
@@ -263,7 +264,13 @@ geometry::TriangleVerdict draw_piece(
     const PieceSetup setup = set_up_piece(call, piece, area, region);
     trace.set_up(setup.edges);
 
-    // Traverse: ask pixels, draw a fragment for each one covered
+    // Traverse: ask samples, or pixels; draw a fragment for each one covered
+    if constexpr (framebuffer::SampleTarget<Target>) {
+        if (call.settings.samples > 1) {
+            const SampledPiece samples{setup.edges, setup.interpolator};
+            return draw_samples(call, samples, region, units, target, trace);
+        }
+    }
     bool any = false;
     const auto interpolate = [&setup](raster::Fragment& fragment) {
         raster::interpolate_varyings(setup.interpolator, fragment);
@@ -469,7 +476,8 @@ void draw_bands(const Frame& frame, Target& target, unsigned threads) {
     });
 }
 
-/// A whole frame: every object's vertices, then every object's triangles, in file order. Threads
+/// A whole frame: every object's vertices, then every object's triangles, in file order; with
+/// several samples a pixel, they are resolved at the end. Threads
 /// share the vertices; where nobody listens, they share the rows, too.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
@@ -478,11 +486,16 @@ void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1
     }
     if (std::is_same_v<Trace, NullTrace> && threads > 1) {
         draw_bands(frame, target, threads);
-        return;
+    } else {
+        for (const DrawCall& call : frame.calls()) {
+            for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
+                draw_triangle(call, i, {}, target, trace);
+            }
+        }
     }
-    for (const DrawCall& call : frame.calls()) {
-        for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
-            draw_triangle(call, i, {}, target, trace);
+    if constexpr (framebuffer::SampleTarget<Target>) {
+        if (frame.settings().samples > 1) {
+            resolve_frame(frame.settings(), target, trace);
         }
     }
 }

@@ -5,12 +5,14 @@
 
 #include "core/base/pixel.hpp"
 #include "core/fragment/fate.hpp"
+#include "core/framebuffer/samples.hpp"
 #include "core/geometry/clip_polygon.hpp"
 #include "core/geometry/facing.hpp"
 #include "core/geometry/viewport.hpp"
 #include "core/pipeline/vertex_stage.hpp"
 #include "core/raster/homogeneous.hpp"
 #include "core/raster/interpolation.hpp"
+#include "core/raster/sample_pattern.hpp"
 #include "core/raster/traversal.hpp"
 #include "core/shading/shade.hpp"
 
@@ -26,6 +28,18 @@ struct DepthTest {
     float stored = 0.0F; ///< the buffer's, before
     scene::CompareOp op = scene::CompareOp::less;
     bool passed = false;
+    int sample = -1;       ///< whose, with several samples a pixel
+    bool discards = false; ///< with several samples: this one failed as all before, and none follow
+    /// The fragment ends here.
+    [[nodiscard]] bool fatal() const { return sample < 0 ? !passed : discards; }
+};
+
+/// Which samples of its pixel a fragment stands for, where there are several.
+struct FragmentSamples {
+    raster::CoverageMask covered = 0;
+    int sample = -1; ///< the one it is shaded at; −1: the pixel's center
+    float first_depth =
+        0.0F; ///< at the pixel's first sample, covered or not, as its format stores it
 };
 
 /// What merging changed.
@@ -36,6 +50,16 @@ struct Merge {
     glm::vec4 after{0.0F}; ///< before the color format rounds it
     bool depth_written = false;
     float depth = 0.0F;
+};
+
+/// What merging changed in a pixel with several samples.
+struct SamplesMerge {
+    glm::vec4 source{0.0F};
+    bool blended = false;
+    bool depth_written = false;
+    raster::CoverageMask written = 0; ///< samples that passed every test
+    framebuffer::PixelSamples before;
+    framebuffer::PixelSamples after; ///< before the color format rounds them
 };
 
 template <typename T>
@@ -55,6 +79,9 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     const shading::ShadedFragment& shaded,
     const DepthTest& depth,
     const Merge& merge,
+    const FragmentSamples& sampled,
+    const SamplesMerge& samples_merge,
+    const framebuffer::PixelSamples& samples,
     fragment::FragmentFate fate
 ) {
     t.vertex_run(id, id, number); // *step* × number: world, eye, clip, and light for Gouraud
@@ -69,13 +96,16 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     t.oriented(0.0, verdict); // *step*: homogeneous, across the eye, instead of the three above
     t.planes_set_up(planes);  // *step*: homogeneous, instead of set_up
     // Here the traversal speaks: raster::TraversalTrace
-    t.interpolated(fragment); // *step*
-    t.shaded(shaded);         // *step*
-    t.scissor_tested(true);   // *step*, only with a scissor rectangle
-    t.depth_tested(depth);    // *step*, only with z-buffer visibility
-    t.merged(merge);          // *step*, only if every test passed
+    t.fragment_sampled(sampled);     // with several samples, before each fragment
+    t.interpolated(fragment);        // *step*
+    t.shaded(shaded);                // *step*
+    t.scissor_tested(true);          // *step*, only with a scissor rectangle
+    t.depth_tested(depth);           // *step*, only with z-buffer visibility
+    t.merged(merge);                 // *step*, only if every test passed
+    t.samples_merged(samples_merge); // *step*, instead of merged
     t.fragment_end(fate);
     t.triangle_end(verdict, geometry::Outcode{});
+    t.resolved(PixelPos{}, samples, samples[0]); // *step*, with several samples, per pixel
 };
 
 /// A sink that keeps no values of what it is told, only that it happened: what only its numbers
@@ -100,13 +130,16 @@ struct NullTrace : raster::SilentTraversal {
     void edge_tests(int) {}
     void oriented(double, geometry::TriangleVerdict) {}
     void planes_set_up(const raster::HomogeneousSetup&) {}
+    void fragment_sampled(const FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}
     void depth_tested(const DepthTest&) {}
     void merged(const Merge&) {}
+    void samples_merged(const SamplesMerge&) {}
     void fragment_end(fragment::FragmentFate) {}
     void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+    void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {}
 };
 static_assert(TraceSink<NullTrace>);
 

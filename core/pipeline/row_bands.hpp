@@ -19,14 +19,17 @@ namespace hs::pipeline {
 std::vector<PixelRect> balanced_bands(const Frame& frame, unsigned threads);
 
 /// Whether a triangle that needs no clipping cannot cover a pixel of the band. Costs three
-/// comparisons; what it lets pass may still miss.
+/// comparisons; what it lets pass may still miss. A row reaches half a pixel beyond its centers:
+/// samples lie there.
 [[nodiscard]] inline bool
 misses(const PixelRect& band, const ShadedVertex& a, const ShadedVertex& b, const ShadedVertex& c) {
     if ((a.outcode | b.outcode | c.outcode) != 0) {
         return false;
     }
     const auto [top, bottom] = std::minmax({a.window.fixed.y, b.window.fixed.y, c.window.fixed.y});
-    return bottom < band.y0 * subpixel_scale || top > (band.y1 - 1) * subpixel_scale;
+    constexpr int reach = subpixel_scale / 2;
+    return bottom < band.y0 * subpixel_scale - reach ||
+           top > (band.y1 - 1) * subpixel_scale + reach;
 }
 
 } // namespace hs::pipeline

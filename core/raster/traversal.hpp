@@ -10,6 +10,7 @@
 #include "core/raster/cost.hpp"
 #include "core/raster/edge_function.hpp"
 #include "core/raster/plane_test.hpp"
+#include "core/raster/sample_test.hpp"
 #include "core/raster/scan_edge.hpp"
 #include "core/raster/tile.hpp"
 #include "core/raster/triangle_setup.hpp"
@@ -40,11 +41,13 @@ concept TraversalTrace = requires(
     const EdgeTable& table,
     const ActiveEdges& active,
     const Span& span,
-    const PlaneTest& planes
+    const PlaneTest& planes,
+    const SampleTest& sample
 ) {
     trace.unit(unit);                     // a unit begins
     trace.cost(cost);                     // spent since it last said so, toward the next step
     trace.edge_test(pixel, values, true); // *step*: a pixel was asked, and is inside or not
+    trace.sample_tested(sample);          // *step*: with several samples, instead of edge_test
     trace.tile_tested(tile);              // *step*: hierarchical
     trace.edges_bucketed(table);          // *step*: edge table, before its first unit
     trace.edges_activated(active);        // *step*: edge table, per scanline
@@ -63,6 +66,7 @@ struct SilentTraversal {
     void unit(int) {}
     void cost(const Cost&) {}
     void edge_test(PixelPos, const EdgeValues&, bool) {}
+    void sample_tested(const SampleTest&) {}
     void tile_tested(const TileTest&) {}
     void edges_bucketed(const EdgeTable&) {}
     void edges_activated(const ActiveEdges&) {}

@@ -7,11 +7,6 @@
 namespace hs::raster {
 namespace {
 
-/// One past the last pixel whose center is not right of (below) a snapped coordinate.
-int end_of_centers_up_to(std::int32_t fixed) {
-    return static_cast<int>((std::int64_t{fixed} >> subpixel_bits) + 1);
-}
-
 PixelRect bounds_of(const std::array<FixedPosition, 3>& v) {
     const auto [min_x, max_x] = std::minmax({v[0].x, v[1].x, v[2].x});
     const auto [min_y, max_y] = std::minmax({v[0].y, v[1].y, v[2].y});

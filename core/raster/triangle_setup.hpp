@@ -16,12 +16,17 @@ namespace hs::raster {
     return static_cast<int>((std::int64_t{fixed} + (subpixel_scale - 1)) >> subpixel_bits);
 }
 
+/// One past the last pixel whose center is not right of (below) a snapped coordinate.
+[[nodiscard]] inline int end_of_centers_up_to(std::int32_t fixed) {
+    return static_cast<int>((std::int64_t{fixed} >> subpixel_bits) + 1);
+}
+
 struct TriangleSetup {
     std::array<FixedPosition, 3> vertices{};
     std::array<EdgeFunction, 3>
         edges{}; ///< E01, E12, E20: edge k runs from vertex k to vertex k + 1
     /// 0 for an edge that owns its ties, −1 for one that does not: a pixel is covered iff E + bias
-    /// >= 0 on all three.
+    /// >= 0 on all three. (Conservative overlap keeps another constant here: conservative.hpp.)
     std::array<std::int64_t, 3> top_left_bias{};
     std::int64_t doubled_area =
         0; ///< > 0, in 1/65536 pixel²; the sum of the three edge functions anywhere

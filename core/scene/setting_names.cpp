@@ -130,6 +130,18 @@ constexpr Named<ColorFormat> color_format_names[] = {
     {ColorFormat::rgba32f, "rgba32f", "a 32-bit float per channel: neither clamped nor rounded"},
 };
 
+constexpr Named<Sampling> sampling_names[] = {
+    {Sampling::multisample,
+     "multisample",
+     "coverage and depth per sample, one color for all of a pixel's samples"},
+    {Sampling::supersample,
+     "supersample",
+     "every covered sample is interpolated, shaded and tested on its own"},
+    {Sampling::conservative,
+     "conservative",
+     "a pixel counts when any part of its square lies inside the triangle"},
+};
+
 constexpr Named<Fault> fault_names[] = {
     {Fault::none, "none", "the pipeline as it should be"},
     {Fault::ties_to_all,
@@ -213,6 +225,10 @@ std::span<const Named<DepthOrder>> names<DepthOrder>() {
 template <>
 std::span<const Named<ColorFormat>> names<ColorFormat>() {
     return color_format_names;
+}
+template <>
+std::span<const Named<Sampling>> names<Sampling>() {
+    return sampling_names;
 }
 template <>
 std::span<const Named<Fault>> names<Fault>() {

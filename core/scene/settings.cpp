@@ -129,6 +129,19 @@ Complaint assign_tile_size(Settings& settings, std::string_view key, const Setti
     return std::nullopt;
 }
 
+Complaint assign_samples(Settings& settings, std::string_view key, const SettingValue& value) {
+    constexpr std::array counts{1, 2, 4, 8};
+    const std::optional<float> samples = to_float(value);
+    const auto* const found = std::ranges::find(counts, samples.value_or(0.0F), [](int count) {
+        return static_cast<float>(count);
+    });
+    if (found == counts.end()) {
+        return must_be(key, "1, 2, 4 or 8", value);
+    }
+    settings.samples = *found;
+    return std::nullopt;
+}
+
 Complaint assign_background(Settings& settings, std::string_view key, const SettingValue& value) {
     const std::optional<glm::vec4> color = to_vec4(value);
     if (!color) {
@@ -368,6 +381,19 @@ std::vector<Row> algorithm_rows() {
          ),
          assign_tile_size,
          [](const Settings& settings) { return SettingValue{std::int64_t{settings.tile_size}}; }},
+        {info(
+             {"samples",
+              "points at which every pixel is asked whether a triangle covers it: 1, 2, 4 or 8",
+              "glRenderbufferStorageMultisample"},
+             SettingType::number
+         ),
+         assign_samples,
+         [](const Settings& settings) { return SettingValue{std::int64_t{settings.samples}}; }},
+        choice_row<&Settings::sampling>(
+            {"sampling",
+             "whether several samples share a color, or a pixel counts when it is merely touched",
+             "glMinSampleShading"}
+        ),
         choice_row<&Settings::shading>(
             {"shading", "where lighting is computed, if at all", "glShadeModel"}
         ),
@@ -444,6 +470,45 @@ std::optional<SettingValue> read_setting(const Settings& settings, std::string_v
     return row.is_set(settings) ? std::optional{row.read(settings)} : std::nullopt;
 }
 
+namespace {
+
+/// Which traversals can ask what the sampling asks: samples, or whole pixels. The rest ask pixel
+/// centers.
+Complaint check_sampling(const Settings& settings) {
+    const bool conservative = settings.sampling == Sampling::conservative;
+    if (conservative && settings.samples != 1) {
+        return fmt::format(
+            "sampling \"conservative\" asks whole pixels and needs samples = 1, not {}",
+            settings.samples
+        );
+    }
+    if (settings.sampling == Sampling::supersample && settings.samples != 4) {
+        return fmt::format("sampling \"supersample\" needs samples = 4, not {}", settings.samples);
+    }
+    const TraversalKind kind = settings.traversal;
+    const bool sampled = kind == TraversalKind::brute_force || kind == TraversalKind::bounding_box;
+    const bool boxed = kind == TraversalKind::bounding_box || kind == TraversalKind::incremental ||
+                       kind == TraversalKind::serpentine;
+    if (settings.samples > 1 && !sampled) {
+        return fmt::format(
+            "traversal \"{}\" asks pixel centers only; with {} samples it must be "
+            "\"brute-force\" or \"bounding-box\"",
+            name_of(kind),
+            settings.samples
+        );
+    }
+    if (conservative && !boxed) {
+        return fmt::format(
+            "traversal \"{}\" cannot ask whole pixels; with sampling \"conservative\" it must "
+            "be \"bounding-box\", \"incremental\" or \"serpentine\"",
+            name_of(kind)
+        );
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 std::optional<std::string> check_combination(const Settings& settings) {
     if (intersect(settings.viewport(), settings.image()) != settings.viewport()) {
         return fmt::format(
@@ -453,7 +518,7 @@ std::optional<std::string> check_combination(const Settings& settings) {
             settings.height
         );
     }
-    return std::nullopt;
+    return check_sampling(settings);
 }
 
 } // namespace hs::scene

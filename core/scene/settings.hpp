@@ -80,6 +80,11 @@ enum class ColorFormat : std::uint8_t {
     rgba8,
     rgba32f
 };
+enum class Sampling : std::uint8_t {
+    multisample,
+    supersample,
+    conservative
+};
 
 /// A classic mistake, seeded on purpose.
 enum class Fault : std::uint8_t {
@@ -109,6 +114,8 @@ struct Settings {
     Visibility visibility = Visibility::z_buffer;
     TraversalKind traversal = TraversalKind::bounding_box;
     int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
+    int samples = 1;   ///< points a pixel is asked at: 1, 2, 4 or 8
+    Sampling sampling = Sampling::multisample;
     bool clip_enabled = true;
     float guard_band = 1.0F; ///< triangles are clipped at the sides of so many view volumes, 1 … 64
     std::vector<glm::vec4>
@@ -186,7 +193,7 @@ std::string print_setting(const Settings& settings, std::string_view key);
 std::optional<SettingValue> read_setting(const Settings& settings, std::string_view key);
 
 /// A combination that has no meaning (reversed depth with a user-set test is allowed; a viewport
-/// outside the image is not), in one sentence, or nothing.
+/// outside the image is not), in one sentence that begins with the key to blame, or nothing.
 std::optional<std::string> check_combination(const Settings& settings);
 
 /// Applies the compare op to a fragment's depth and the stored one: `compare(less, z, stored)` is z
@@ -231,6 +238,8 @@ template <>
 std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
 template <>
 std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
+template <>
+std::span<const Named<scene::Sampling>> names<scene::Sampling>();
 template <>
 std::span<const Named<scene::Fault>> names<scene::Fault>();
 } // namespace hs

@@ -26,6 +26,16 @@ Step describe_vertex_step(const Recording& recording, StepId step) {
     return result;
 }
 
+/// One per pixel, row by row.
+Step describe_resolve_step(const Recording& recording, StepId step) {
+    const auto pixel = static_cast<int>(step - recording.first_resolve_step);
+    Step result;
+    result.id = step;
+    result.kind = StepKind::resolve;
+    result.pixel = {pixel % recording.width(), pixel / recording.width()};
+    return result;
+}
+
 } // namespace
 
 Step describe_step(const Recording& recording, StepId step) {
@@ -41,6 +51,9 @@ Step describe_step(const Recording& recording, StepId step) {
     }
     if (step < recording.first_triangle_step) {
         return describe_vertex_step(recording, step);
+    }
+    if (step >= recording.first_resolve_step) {
+        return describe_resolve_step(recording, step);
     }
     const Outline window = outline(recording, index_entry_of_step(recording, step));
     return window.steps[step - window.first_step];
@@ -67,7 +80,7 @@ StepId last_step_of_fragment(const Recording& recording, std::uint32_t fragment)
 StepId last_step_of_triangle(const Recording& recording, std::uint32_t triangle) {
     HS_CHECK(triangle < recording.triangles.size(), "a triangle of this recording");
     const bool last = triangle + 1 == recording.triangles.size();
-    return (last ? recording.end_step : recording.triangles[triangle + 1].first_step) - 1;
+    return (last ? recording.first_resolve_step : recording.triangles[triangle + 1].first_step) - 1;
 }
 
 } // namespace hs::trace

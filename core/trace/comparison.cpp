@@ -49,10 +49,17 @@ scene::Mesh alone(const scene::Mesh& mesh, const scene::TriangleIndices& triangl
     return one;
 }
 
+/// What all traversals can ask.
+void ask_centers(scene::Settings& settings) {
+    settings.samples = 1;
+    settings.sampling = scene::Sampling::multisample;
+}
+
 TraversalCost
 cost_of(const scene::Scene& scene, scene::TraversalKind kind, std::optional<TriangleNumber> only) {
     auto variant = std::make_shared<scene::Scene>(scene);
     variant->settings.traversal = kind;
+    ask_centers(variant->settings);
     pipeline::Frame frame(variant);
     NoPixels target;
     TraversalCost total;
@@ -106,6 +113,7 @@ compare_traversals(const Recording& recording, const TriangleNumber& triangle) {
     std::vector<TraversalCost> costs;
     for (const Named<scene::TraversalKind>& kind : names<scene::TraversalKind>()) {
         one.settings.traversal = kind.value;
+        ask_centers(one.settings);
         TraversalCost& total = costs.emplace_back();
         total.traversal = kind.value;
         CostTrace trace(total);

@@ -41,13 +41,16 @@ public:
         triangle_.pieces.back().planes = planes;
         triangle_.pieces.back().setup = planes.window;
     }
+    void fragment_sampled(const pipeline::FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}
     void depth_tested(const pipeline::DepthTest&) {}
     void merged(const pipeline::Merge&) {}
+    void samples_merged(const pipeline::SamplesMerge&) {}
     void fragment_end(fragment::FragmentFate) {}
     void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+    void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {}
 
 private:
     TriangleDetail& triangle_;
@@ -57,11 +60,12 @@ static_assert(pipeline::TraceSink<TriangleTrace>);
 /// Keeps also what the traversal knew at a step, and the values of the step's fragment.
 class StepTrace : public TriangleTrace {
 public:
-    StepTrace(StepDetail& detail, const Step& step)
+    StepTrace(StepDetail& detail, const Step& step, scene::ColorFormat color_format)
         : TriangleTrace(*detail.triangle),
           traversal_(detail.traversal ? &*detail.traversal : nullptr),
           fragment_(detail.fragment ? &*detail.fragment : nullptr),
           step_(step),
+          color_format_(color_format),
           reached_(!detail.traversal) {}
 
     void piece_begin(int piece) {
@@ -70,6 +74,10 @@ public:
     }
     void edge_test(PixelPos pixel, const raster::EdgeValues&, bool) {
         reached_ = reached_ || is_step(StepKind::edge_test, pixel);
+    }
+    void sample_tested(const raster::SampleTest& test) {
+        reached_ =
+            reached_ || (is_step(StepKind::sample_test, test.pixel) && test.sample == step_.sample);
     }
     void tile_tested(const raster::TileTest& tile) {
         if (!reached_) {
@@ -101,8 +109,10 @@ public:
             reached_ = is_step(StepKind::plane_test, pixel);
         }
     }
+    void fragment_sampled(const pipeline::FragmentSamples& sampled) { sample_ = sampled.sample; }
     void interpolated(const raster::Fragment& fragment) {
-        listening_ = fragment_ != nullptr && fragment.pixel == step_.pixel;
+        listening_ = fragment_ != nullptr && fragment.pixel == step_.pixel &&
+                     (sample_ < 0 || sample_ == step_.sample);
         if (listening_) {
             reached_ = true;
             fragment_->fragment = fragment;
@@ -119,7 +129,9 @@ public:
         }
     }
     void depth_tested(const pipeline::DepthTest& test) {
-        if (listening_) {
+        const bool later = step_.kind == StepKind::depth_test && fragment_->depth_test &&
+                           test.sample > step_.sample;
+        if (listening_ && !later) {
             fragment_->depth_test = test;
         }
     }
@@ -127,6 +139,19 @@ public:
         if (listening_) {
             fragment_->merge = merge;
         }
+    }
+    void samples_merged(const pipeline::SamplesMerge& merge) {
+        if (!listening_) {
+            return;
+        }
+        const framebuffer::SampleValue after = framebuffer::resolve(merge.after, color_format_);
+        fragment_->merge = pipeline::Merge{
+            .source = merge.source,
+            .before = framebuffer::resolve(merge.before, color_format_).color,
+            .blended = merge.blended,
+            .after = after.color,
+            .depth_written = merge.depth_written && raster::has_sample(merge.written, 0),
+            .depth = after.depth};
     }
     void fragment_end(fragment::FragmentFate fate) {
         if (listening_) {
@@ -142,8 +167,10 @@ private:
     TraversalDetail* traversal_;
     FragmentDetail* fragment_;
     const Step& step_;
+    scene::ColorFormat color_format_;
     bool reached_; ///< what comes after the step is not kept
     int piece_ = 0;
+    int sample_ = -1; ///< of a fragment that stands for one
     bool listening_ = false;
 };
 static_assert(pipeline::TraceSink<StepTrace>);
@@ -192,6 +219,17 @@ LitPoint lit_fragment(const pipeline::DrawCall& call, const math::Varyings& vary
 
 } // namespace
 
+namespace {
+
+ResolveDetail resolve_detail(const Recording& recording, PixelPos pixel) {
+    ResolveDetail detail;
+    detail.samples = recording.samples.after(recording.final_pixels[pixel].last_fragment);
+    detail.resolved = framebuffer::resolve(detail.samples, recording.settings().color_format);
+    return detail;
+}
+
+} // namespace
+
 VertexDetail vertex_detail(const Recording& recording, std::uint32_t object, std::uint32_t vertex) {
     const pipeline::DrawCall& call = recording.frame->calls()[object];
     VertexDetail detail;
@@ -225,6 +263,9 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
         detail.vertex = vertex_detail(recording, step.object, step.vertex);
         return detail;
     }
+    if (step.kind == StepKind::resolve) {
+        detail.resolve = resolve_detail(recording, step.pixel);
+    }
     if (!step.in_triangle()) {
         return detail;
     }
@@ -240,7 +281,7 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
         detail.traversal.emplace();
     }
     PastPixels pixels(recording, step.fragment);
-    StepTrace trace(detail, step);
+    StepTrace trace(detail, step, recording.settings().color_format);
     pipeline::draw_triangle(
         recording.frame->calls()[step.object],
         step.triangle,
@@ -260,6 +301,15 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
     if (step.has_pixel() && pieces[piece].setup) {
         const raster::EdgeValues edges = pieces[piece].setup->evaluate(step.pixel);
         detail.visit = VisitDetail{step.pixel, edges, pieces[piece].setup->covers(edges)};
+        if (recording.samples.active()) {
+            detail.samples =
+                samples_of_piece(recording, *pieces[piece].setup, pieces[piece].window, step);
+        }
+        if (detail.fragment) {
+            const bool one = recording.settings().sampling == scene::Sampling::supersample;
+            detail.fragment->edges =
+                one ? detail.samples[static_cast<std::size_t>(step.sample)].edges : edges;
+        }
     }
     return detail;
 }

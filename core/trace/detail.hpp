@@ -5,6 +5,7 @@
 #include "core/geometry/eye_facing.hpp"
 #include "core/pipeline/narration.hpp"
 #include "core/trace/recording.hpp"
+#include "core/trace/sample_detail.hpp"
 
 #include <array>
 #include <optional>
@@ -79,12 +80,19 @@ struct FragmentDetail {
     std::uint32_t index = no_fragment;    ///< into the fragment log
     std::uint32_t triangle = no_triangle; ///< over the whole frame
     raster::Fragment fragment;
+    raster::EdgeValues edges{}; ///< where it is interpolated: its pixel's center, or its one sample
     std::optional<shading::ShadedFragment> shaded;
     std::optional<LitPoint> lit; ///< per-fragment lighting only
     std::optional<bool> scissor_inside;
     std::optional<pipeline::DepthTest> depth_test;
-    std::optional<pipeline::Merge> merge;
+    std::optional<pipeline::Merge> merge; ///< with several samples, of what they resolve to
     fragment::FragmentFate fate = fragment::FragmentFate::written;
+};
+
+/// What a pixel with several samples becomes.
+struct ResolveDetail {
+    framebuffer::PixelSamples samples;
+    framebuffer::SampleValue resolved;
 };
 
 /// What stands behind one step; the parts that its kind has.
@@ -94,6 +102,8 @@ struct StepDetail {
     std::optional<TraversalDetail> traversal; ///< steps in a traversal
     std::optional<VisitDetail> visit;
     std::optional<FragmentDetail> fragment;
+    std::optional<ResolveDetail> resolve;
+    std::vector<SampleDetail> samples; ///< of the step's pixel, where there are several
 };
 
 /// Precondition: the numbers exist in the recording.

@@ -28,6 +28,7 @@ struct PathParts {
     std::optional<int> scanline;
     std::optional<PixelPos> visit;
     std::optional<PixelPos> fragment;
+    std::optional<int> sample;
     std::optional<StepKind> operation;
     bool vertex_stage = false;
 };
@@ -109,6 +110,9 @@ bool parse_part(std::string_view part, PathParts& parts) {
     if (word == "scanline") {
         return (parts.scanline = parse_number<int>(rest)).has_value();
     }
+    if (word == "sample") {
+        return (parts.sample = parse_number<int>(rest)).has_value();
+    }
     if (word == "plane") {
         return (parts.plane = parse_name<geometry::ClipPlane>(rest)).has_value();
     }
@@ -160,6 +164,28 @@ Result<StepId> find_vertex_step(const Recording& recording, const PathParts& par
     return object.first_vertex_step + StepId{vertex} * steps + offset;
 }
 
+/// "resolve / pixel 31,17"; without a pixel, the last.
+Result<StepId> find_resolve_step(const Recording& recording, const PathParts& parts) {
+    if (!recording.samples.active()) {
+        return no_step("nothing is resolved in a frame with one sample a pixel");
+    }
+    if (!parts.visit) {
+        return recording.end_step - 1;
+    }
+    const PixelPos p = *parts.visit;
+    if (!recording.settings().image().contains(p)) {
+        return no_step(fmt::format(
+            "the image has no pixel {},{}; it is {} x {} pixels",
+            p.x,
+            p.y,
+            recording.width(),
+            recording.height()
+        ));
+    }
+    const auto row = static_cast<StepId>(p.y) * static_cast<StepId>(recording.width());
+    return recording.first_resolve_step + row + static_cast<StepId>(p.x);
+}
+
 /// Whether a step of the wanted triangle is, or belongs to, what the path names.
 bool matches(const Step& step, const PathParts& parts) {
     if (parts.piece && (!step.has_piece() || step.piece != static_cast<int>(*parts.piece))) {
@@ -180,11 +206,15 @@ bool matches(const Step& step, const PathParts& parts) {
         return false;
     }
     // A visit without operation is the edge test itself; a fragment is everything after it
-    const bool test = step.kind == StepKind::edge_test || step.kind == StepKind::plane_test;
+    const bool test = step.kind == StepKind::edge_test || step.kind == StepKind::sample_test ||
+                      step.kind == StepKind::plane_test;
     if (parts.visit && !parts.operation && !test) {
         return false;
     }
     if (parts.fragment && (!step.in_fragment() || step.pixel != *parts.fragment)) {
+        return false;
+    }
+    if (parts.sample && step.sample != *parts.sample) {
         return false;
     }
     if (parts.operation == StepKind::clip_plane) {
@@ -217,7 +247,7 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
     const StepId first = recording.triangles[frame_triangle].first_step;
     const StepId last = last_step_of_triangle(recording, frame_triangle);
     const bool whole = !parts.piece && !parts.plane && !parts.tile && !parts.scanline &&
-                       !parts.visit && !parts.fragment && !parts.operation;
+                       !parts.visit && !parts.fragment && !parts.sample && !parts.operation;
     if (whole) {
         return last;
     }
@@ -237,8 +267,12 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
 }
 
 Result<StepId> find_parts(const Recording& recording, PathParts parts) {
+    if (parts.operation == StepKind::resolve) {
+        return find_resolve_step(recording, parts);
+    }
     const auto objects = static_cast<std::uint32_t>(recording.objects.size());
-    const bool names_pixels = parts.visit || parts.fragment || parts.tile || parts.scanline;
+    const bool names_pixels =
+        parts.visit || parts.fragment || parts.sample || parts.tile || parts.scanline;
     const bool names_inside = parts.vertex || parts.triangle || names_pixels;
     if (!parts.object && names_inside && objects == 1) {
         parts.object = 0;

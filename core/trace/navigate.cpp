@@ -38,6 +38,7 @@ StepId fallback(const Recording& recording, Direction direction) {
 StepId stage_target(const Recording& recording, StepId from, Direction direction) {
     Nearest nearest(from, direction, fallback(recording, direction));
     nearest.offer(recording.first_triangle_step - 1);
+    nearest.offer(recording.first_resolve_step - 1);
     nearest.offer(recording.end_step - 1);
     return nearest.best();
 }
@@ -182,14 +183,15 @@ StepId search_stretches(
     Offer offer
 ) {
     const std::size_t entries = recording.index.size();
-    if (entries == 0 || recording.first_triangle_step == recording.end_step) {
+    if (entries == 0 || recording.first_triangle_step == recording.first_resolve_step) {
         return none;
     }
     const bool forward = direction == Direction::forward;
     if (!forward && from <= recording.first_triangle_step) {
         return none;
     }
-    const StepId inside = std::clamp(from, recording.first_triangle_step, recording.end_step - 1);
+    const StepId inside =
+        std::clamp(from, recording.first_triangle_step, recording.first_resolve_step - 1);
     std::size_t entry = index_entry_of_step(recording, inside);
     while (true) {
         entry = entry_with(recording, entry, direction, count);
@@ -230,6 +232,20 @@ std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
     }
     HS_CHECK(false, "every stage counts something");
     return 0;
+}
+
+/// Resolving belongs to the stage that merges: the nearer of a merge that was found and the
+/// resolves, which come after all of them.
+std::optional<StepId> nearest_resolve(
+    const Recording& recording, StepId from, Direction direction, std::optional<StepId> merge
+) {
+    const StepId first = recording.first_resolve_step;
+    const StepId last = recording.end_step - 1;
+    if (direction == Direction::forward) {
+        const StepId next = std::max(from + 1, first);
+        return merge || next > last ? merge : next;
+    }
+    return from > first ? std::min(from - 1, last) : merge;
 }
 
 } // namespace
@@ -281,7 +297,11 @@ std::optional<StepId> Player::find_stage(Stage stage, Direction direction) const
             }
         }
     );
-    return found == none ? std::nullopt : std::optional<StepId>{found};
+    const auto reached = found == none ? std::nullopt : std::optional<StepId>{found};
+    if (stage == Stage::merge && recording_->samples.active()) {
+        return nearest_resolve(*recording_, step(), direction, reached);
+    }
+    return reached;
 }
 
 } // namespace hs::trace

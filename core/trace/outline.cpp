@@ -64,6 +64,13 @@ public:
         at_.covered = inside;
         add(StepKind::edge_test);
     }
+    void sample_tested(const raster::SampleTest& test) {
+        at_.pixel = test.pixel;
+        at_.covered = test.inside;
+        at_.sample = test.sample;
+        add(StepKind::sample_test);
+        at_.sample = -1;
+    }
     void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
         at_.pixel = pixel;
         at_.covered = test.inside;
@@ -84,6 +91,7 @@ public:
         at_.pixel = {0, span.row};
         add(StepKind::span);
     }
+    void fragment_sampled(const pipeline::FragmentSamples& sampled) { at_.sample = sampled.sample; }
     void interpolated(const raster::Fragment& fragment) {
         at_.pixel = fragment.pixel;
         at_.covered = true;
@@ -91,11 +99,14 @@ public:
         add(StepKind::interpolate);
     }
     void shaded(const shading::ShadedFragment&) { add(StepKind::shade); }
-    void scissor_tested(bool inside) { add_test(StepKind::scissor_test, inside); }
+    void scissor_tested(bool inside) { add_test(StepKind::scissor_test, inside, !inside); }
     void depth_tested(const pipeline::DepthTest& test) {
-        add_test(StepKind::depth_test, test.passed);
+        const std::int32_t of_fragment = std::exchange(at_.sample, test.sample);
+        add_test(StepKind::depth_test, test.passed, test.fatal());
+        at_.sample = of_fragment;
     }
     void merged(const pipeline::Merge&) { add(StepKind::merge); }
+    void samples_merged(const pipeline::SamplesMerge&) { add(StepKind::merge); }
     void fragment_end(fragment::FragmentFate fate) {
         const bool logged = fragment_ < recording_.fragments.size() &&
                             recording_.fragments[fragment_].pixel() == at_.pixel &&
@@ -103,8 +114,10 @@ public:
         outline_.divergences += logged ? 0U : 1U;
         ++fragment_;
         at_.fragment = 0;
+        at_.sample = -1;
     }
     void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+    void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {}
 
 private:
     void add(StepKind kind) {
@@ -116,10 +129,12 @@ private:
         outline_.costs.push_back(std::exchange(spent_, {}));
         ++at_.id;
     }
-    void add_test(StepKind kind, bool passed) {
+    void add_test(StepKind kind, bool passed, bool fatal) {
         at_.passed = passed;
+        at_.fatal = fatal;
         add(kind);
         at_.passed = true;
+        at_.fatal = false;
     }
 
     const Recording& recording_;
@@ -147,14 +162,19 @@ Stop stop_after(const Recording& recording, std::size_t entry) {
         const IndexEntry& next = recording.index[entry + 1];
         return {next.step, next.object, next.triangle, next.piece, next.unit};
     }
-    return {recording.end_step, static_cast<std::uint32_t>(recording.objects.size()), 0, 0, -1};
+    return {
+        recording.first_resolve_step,
+        static_cast<std::uint32_t>(recording.objects.size()),
+        0,
+        0,
+        -1};
 }
 
 } // namespace
 
 std::size_t index_entry_of_step(const Recording& recording, StepId step) {
     HS_DCHECK(
-        step >= recording.first_triangle_step && step < recording.end_step,
+        step >= recording.first_triangle_step && step < recording.first_resolve_step,
         "a step of the triangle stages"
     );
     const auto after = std::upper_bound(

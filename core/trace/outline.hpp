@@ -25,7 +25,7 @@ struct Outline {
 };
 
 /// The index entry whose stretch contains a step of the triangle stages.
-/// Precondition: first_triangle_step <= step < end_step.
+/// Precondition: first_triangle_step <= step < first_resolve_step.
 std::size_t index_entry_of_step(const Recording& recording, StepId step);
 
 /// Re-runs the stretch from index entry `entry` to the next one.

@@ -22,6 +22,13 @@ public:
     void set_depth(PixelPos, float) {}
     void set_color(PixelPos, const glm::vec4&) {}
 
+    /// Several samples a pixel: as the fragment before left them.
+    [[nodiscard]] framebuffer::PixelSamples samples(PixelPos) const {
+        return exists() ? recording_.samples.after(recording_.fragments[fragment_].previous)
+                        : recording_.samples.cleared();
+    }
+    void set_samples(PixelPos, const framebuffer::PixelSamples&) {}
+
 private:
     /// A re-run that has diverged may draw fragments that were never logged; it is reported, not
     /// followed.

@@ -75,7 +75,7 @@ void Player::seek(StepId step) {
         show_fragments(0);
         return;
     }
-    if (goal == end()) {
+    if (goal >= recording_->first_resolve_step) {
         current_ = describe_step(*recording_, goal);
         show_fragments(static_cast<std::uint32_t>(recording_->fragments.size()));
         return;
@@ -114,12 +114,18 @@ std::uint32_t Player::overdraw(PixelPos p) const {
     return kept < 0xFFFFU ? kept : count_pixel(*recording_, p, fragments_done_).overdraw;
 }
 
+bool Player::resolved(PixelPos p) const {
+    const auto number = static_cast<StepId>(p.y) * static_cast<StepId>(recording_->width()) +
+                        static_cast<StepId>(p.x);
+    return recording_->samples.active() && step() >= recording_->first_resolve_step + number;
+}
+
 PixelRect Player::take_changed() {
     return std::exchange(changed_, PixelRect{});
 }
 
 Counters Player::counters() const {
-    if (step() >= end()) {
+    if (step() >= recording_->first_resolve_step) {
         return recording_->counters;
     }
     Counters counters;
@@ -144,8 +150,9 @@ Counters Player::counters() const {
         }
         count_cost(counters, window.costs[s.id - window.first_step]);
         const bool first = s.kind == StepKind::clip_plane ? previous == StepKind::outcodes
-                                                          : previous != StepKind::scissor_test;
-        count_step(counters, s.kind, s.passed, first);
+                                                          : previous != StepKind::scissor_test &&
+                                                                previous != StepKind::depth_test;
+        count_step(counters, s.kind, !s.fatal, first);
         previous = s.kind;
     }
     return counters;

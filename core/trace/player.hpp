@@ -56,6 +56,13 @@ public:
     /// Pixels after the current step.
     [[nodiscard]] const PixelRecord& pixel(PixelPos p) const { return buffer_[p]; }
     [[nodiscard]] glm::vec4 color(PixelPos p) const { return buffer_.color(p); }
+    /// Frames with several samples a pixel: what its samples hold. Pixels show what these resolve
+    /// to, whether they have been resolved yet or not.
+    [[nodiscard]] framebuffer::PixelSamples samples(PixelPos p) const {
+        return recording_->samples.after(pixel(p).last_fragment);
+    }
+    /// Whether the step that resolves the pixel lies behind.
+    [[nodiscard]] bool resolved(PixelPos p) const;
     /// Fragments that have met their fate at the current step.
     [[nodiscard]] std::uint32_t fragments_done() const { return fragments_done_; }
     /// Exact numbers of fragments generated and written at a pixel up to the current step, beyond

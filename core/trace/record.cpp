@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace hs::trace {
@@ -18,7 +19,8 @@ constexpr StepId index_spacing =
 /// times: it is looked up once.
 class RecordedPixels {
 public:
-    explicit RecordedPixels(const scene::Settings& settings) : buffer_(settings) {}
+    RecordedPixels(const scene::Settings& settings, const SampleLog& log)
+        : buffer_(settings), color_format_(settings.color_format), log_(log) {}
 
     [[nodiscard]] float depth(PixelPos p) const { return buffer_[p].depth; }
     [[nodiscard]] glm::vec4 color(PixelPos p) const { return buffer_.color(p); }
@@ -28,6 +30,24 @@ public:
         if (buffer_.float_color()) {
             buffer_.set_color32f(p, color);
         }
+    }
+
+    /// Several samples a pixel: the log holds them.
+    [[nodiscard]] framebuffer::PixelSamples samples(PixelPos p) const {
+        return log_.after(buffer_[p].last_fragment);
+    }
+    /// They join the log when their fragment ends; the pixel shows what they resolve to.
+    void set_samples(PixelPos p, const framebuffer::PixelSamples& samples) {
+        written_ = log_.stored(samples);
+        const framebuffer::SampleValue resolved = framebuffer::resolve(*written_, color_format_);
+        set_color(p, resolved.color);
+        set_depth(p, resolved.depth);
+    }
+    /// What the fragment that ends now leaves in the samples of its pixel.
+    [[nodiscard]] framebuffer::PixelSamples take_samples(PixelPos p) {
+        const framebuffer::PixelSamples result = written_ ? *written_ : samples(p);
+        written_.reset();
+        return result;
     }
 
     [[nodiscard]] PixelRecord& writable(PixelPos p) {
@@ -46,6 +66,9 @@ public:
 
 private:
     PixelBuffer buffer_;
+    scene::ColorFormat color_format_;
+    const SampleLog& log_;
+    std::optional<framebuffer::PixelSamples> written_; ///< by the fragment being drawn
     PixelPos at_;
     PixelRecord* pixel_ = nullptr;
 };
@@ -117,12 +140,17 @@ public:
             counters_, {.pixels = count, .evaluations = count * raster::cost_of_asking.evaluations}
         );
     }
+    void sample_tested(const raster::SampleTest&) { step(StepKind::sample_test); }
     void tile_tested(const raster::TileTest&) { step(StepKind::tile_test); }
     void edges_bucketed(const raster::EdgeTable&) { step(StepKind::edge_table); }
     void edges_activated(const raster::ActiveEdges&) { step(StepKind::active_edges); }
     void span_found(const raster::Span&) { step(StepKind::span); }
     void planes_tested(PixelPos, const raster::PlaneTest&) { step(StepKind::plane_test); }
 
+    void fragment_sampled(const pipeline::FragmentSamples& sampled) {
+        sampled_ = sampled;
+        passed_ = 0;
+    }
     void interpolated(const raster::Fragment& fragment) {
         step(StepKind::interpolate);
         tested_ = false;
@@ -135,11 +163,16 @@ public:
         step(StepKind::scissor_test, inside, !std::exchange(tested_, true));
     }
     void depth_tested(const pipeline::DepthTest& test) {
-        step(StepKind::depth_test, test.passed, !std::exchange(tested_, true));
+        step(StepKind::depth_test, !test.fatal(), !std::exchange(tested_, true));
     }
     void merged(const pipeline::Merge& merge) {
         step(StepKind::merge);
         depth_written_ = merge.depth_written;
+    }
+    void samples_merged(const pipeline::SamplesMerge& merge) {
+        step(StepKind::merge);
+        passed_ = merge.written;
+        depth_written_ = merge.depth_written && raster::has_sample(merge.written, 0);
     }
     void fragment_end(fragment::FragmentFate fate) {
         const auto number = static_cast<std::uint32_t>(recording_.fragments.size());
@@ -147,6 +180,10 @@ public:
             recording_.runs.push_back({number, frame_triangle_, static_cast<std::uint16_t>(piece_)}
             );
             run_open_ = true;
+        }
+        if (recording_.samples.active()) {
+            depth_ = sampled_.first_depth;
+            recording_.samples.push_back(pixels_.take_samples(pixel_));
         }
         PixelRecord& pixel = pixels_.writable(pixel_);
         count_saturating(pixel.complexity);
@@ -161,7 +198,9 @@ public:
              .color = pixel.color,
              .previous = std::exchange(pixel.last_fragment, number),
              .fate = fate,
-             .depth_written = depth_written_}
+             .depth_written = depth_written_,
+             .coverage = sampled_.covered,
+             .passed = passed_}
         );
         if (pixels_.buffer().float_color()) {
             recording_.color32f.push_back(pixels_.buffer().color(pixel_));
@@ -175,7 +214,11 @@ public:
 
     /// After the vertex stage.
     void vertex_stage_end() { recording_.first_triangle_step = step_; }
-    /// After the last triangle.
+    /// After the last triangle: every pixel is resolved, if it has several samples.
+    void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {
+        step(StepKind::resolve);
+    }
+    void triangles_end() { recording_.first_resolve_step = step_; }
     void frame_end() {
         recording_.end_step = step_;
         recording_.counters = counters_;
@@ -244,12 +287,14 @@ private:
     bool run_open_ = false;
     bool tested_ = false;
     bool depth_written_ = false;
+    pipeline::FragmentSamples sampled_;
+    raster::CoverageMask passed_ = 0;
     scene::DepthFormat depth_format_ = scene::DepthFormat::float32;
     PixelPos pixel_;
     float depth_ = 0.0F;
 };
 static_assert(pipeline::TraceSink<FactsTrace>);
-static_assert(framebuffer::PixelTarget<RecordedPixels>);
+static_assert(framebuffer::SampleTarget<RecordedPixels>);
 
 /// Lays out the frame-wide tables: who starts where.
 void number_objects(Recording& recording) {
@@ -309,7 +354,8 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
     number_objects(*recording);
 
     // Vertex stage of every object, then every triangle in file order
-    RecordedPixels pixels(source.settings);
+    recording->samples = SampleLog(source.settings);
+    RecordedPixels pixels(source.settings, recording->samples);
     FactsTrace facts(*recording, pixels, options);
     for (pipeline::DrawCall& call : recording->frame->calls()) {
         pipeline::run_vertex_stage(call, facts, options.threads);
@@ -323,6 +369,10 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
         return Diagnostic{
             .file = source.file,
             .message = "more than 2147483648 fragments; record at a smaller size"};
+    }
+    facts.triangles_end();
+    if (recording->samples.active()) {
+        pipeline::resolve_frame(source.settings, pixels, facts);
     }
     facts.frame_end();
     recording->final_pixels = pixels.snapshot();

@@ -29,7 +29,7 @@ const Run& Recording::run_of_fragment(std::uint32_t fragment) const {
 }
 
 std::size_t Recording::bytes() const {
-    std::size_t total = fragments.bytes() + color32f.bytes();
+    std::size_t total = fragments.bytes() + color32f.bytes() + samples.bytes();
     total += triangles.capacity() * sizeof(TriangleRecord);
     total += runs.capacity() * sizeof(Run) + index.capacity() * sizeof(IndexEntry);
     std::vector<const PixelBuffer*> buffers{&final_pixels};
@@ -60,6 +60,10 @@ std::uint64_t Recording::digest() const {
         for (int x = 0; x < width(); ++x) {
             add_color(digest, final_pixels, {x, y});
             digest.add(final_pixels[{x, y}].depth);
+            if (samples.active()) {
+                const std::uint32_t last = final_pixels[{x, y}].last_fragment;
+                framebuffer::add_samples(digest, samples.after(last), settings().color_format);
+            }
         }
     }
     return digest.value();

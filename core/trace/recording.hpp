@@ -12,8 +12,10 @@
 #include "core/geometry/facing.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/raster/cost.hpp"
+#include "core/raster/sample_pattern.hpp"
 #include "core/trace/chunked.hpp"
 #include "core/trace/pixel_buffer.hpp"
+#include "core/trace/sample_log.hpp"
 #include "core/trace/step.hpp"
 
 #include <array>
@@ -28,14 +30,16 @@ namespace hs::trace {
 struct FragmentRecord {
     std::uint16_t x = 0;
     std::uint16_t y = 0;
-    float depth = 0.0F; ///< as tested: clamped and rounded to the depth format
-    framebuffer::Rgba8 color =
-        0; ///< the pixel's color *after* the fragment (rgba8; else see color32f)
+    float depth = 0.0F; ///< as tested: clamped and rounded to the depth format; with several
+                        ///< samples at the first one, covered or not
+    framebuffer::Rgba8 color = 0; ///< the pixel's color *after* the fragment (rgba8; else see
+                                  ///< color32f); with several samples what they would resolve to
     std::uint32_t previous =
         no_fragment; ///< the fragment that reached the same pixel before, whatever its fate
     fragment::FragmentFate fate = fragment::FragmentFate::written;
-    bool depth_written = false;
-    std::uint16_t reserved = 0;
+    bool depth_written = false;        ///< with several samples: that of the first one
+    raster::CoverageMask coverage = 0; ///< with several samples: those it covers
+    raster::CoverageMask passed = 0;   ///< of those, the ones that passed every test
 
     [[nodiscard]] PixelPos pixel() const { return {x, y}; }
     [[nodiscard]] bool written() const { return fate == fragment::FragmentFate::written; }
@@ -107,6 +111,7 @@ struct Recording {
     std::vector<TriangleRecord> triangles; ///< over the whole frame, in file order
     Chunked<FragmentRecord> fragments;
     Chunked<glm::vec4> color32f; ///< per fragment, rgba32f frames only
+    SampleLog samples;           ///< per fragment, frames with several samples a pixel only
     std::vector<Run> runs;
     std::vector<IndexEntry>
         index; ///< by step; the first entry is the first triangle's beginning, if there is one
@@ -115,6 +120,7 @@ struct Recording {
     PixelBuffer final_pixels;
     Counters counters;              ///< of the whole frame
     StepId first_triangle_step = 0; ///< the step after the vertex stage
+    StepId first_resolve_step = 0;  ///< the step after the last triangle's: a resolve, or `end`
     StepId end_step = 0;            ///< the number of the last step, `end`
     double seconds = 0.0;           ///< how long recording took, for the introspection panel
 

@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 23> table{{
+    static constexpr std::array<Named<StepKind>, 25> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -30,6 +30,9 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
          "the edges that cross the scanline are brought up to date"},
         {StepKind::span, "span", "the pixels between the left and the right edge are found"},
         {StepKind::edge_test, "edge test", "the pixel center is held against the three edges"},
+        {StepKind::sample_test,
+         "sample test",
+         "one of the pixel's samples is held against the three edges"},
         {StepKind::plane_test,
          "plane test",
          "the pixel center is held against the planes through eye and edges"},
@@ -40,6 +43,7 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
          "depth test",
          "the fragment's depth is compared with the stored one"},
         {StepKind::merge, "merge", "the fragment changes the pixel"},
+        {StepKind::resolve, "resolve", "the samples of a pixel are averaged to its color"},
         {StepKind::end, "end", "the frame is finished"},
     }};
     return table;
@@ -100,12 +104,14 @@ Stage stage_of(StepKind kind) {
     case StepKind::active_edges:
     case StepKind::span:
     case StepKind::edge_test:
+    case StepKind::sample_test:
     case StepKind::plane_test:
     case StepKind::interpolate: return Stage::traverse;
     case StepKind::shade: return Stage::shade;
     case StepKind::scissor_test:
     case StepKind::depth_test: return Stage::test;
     case StepKind::merge:
+    case StepKind::resolve:
     case StepKind::end: return Stage::merge;
     }
     HS_CHECK(false, "every step kind has a stage");
@@ -116,6 +122,9 @@ std::string step_path(const Step& step) {
     const std::string_view operation = name_of(step.kind);
     if (step.kind == StepKind::start || step.kind == StepKind::end) {
         return std::string{operation};
+    }
+    if (step.kind == StepKind::resolve) {
+        return fmt::format("{} / pixel {},{}", operation, step.pixel.x, step.pixel.y);
     }
     if (step.in_vertex_stage()) {
         return fmt::format(
@@ -133,6 +142,10 @@ std::string step_path(const Step& step) {
     if (step.kind == StepKind::edge_test || step.kind == StepKind::plane_test) {
         return path + fmt::format(" / pixel {},{}", step.pixel.x, step.pixel.y);
     }
+    if (step.kind == StepKind::sample_test) {
+        return path +
+               fmt::format(" / pixel {},{} / sample {}", step.pixel.x, step.pixel.y, step.sample);
+    }
     if (step.kind == StepKind::tile_test) {
         return path +
                fmt::format(" / tile {},{} size {}", step.pixel.x, step.pixel.y, step.tile_size);
@@ -142,6 +155,7 @@ std::string step_path(const Step& step) {
     }
     if (step.in_fragment()) {
         path += fmt::format(" / fragment {},{}", step.pixel.x, step.pixel.y);
+        path += step.sample >= 0 ? fmt::format(" / sample {}", step.sample) : std::string{};
     }
     return path + fmt::format(" / {}", operation);
 }

@@ -33,12 +33,14 @@ enum class StepKind : std::uint8_t {
     active_edges,
     span,
     edge_test,
+    sample_test,
     plane_test,
     interpolate,
     shade,
     scissor_test,
     depth_test,
     merge,
+    resolve,
     end,
 };
 
@@ -82,10 +84,14 @@ struct Step {
     std::int32_t piece = 0;     ///< divide and later
     std::int32_t unit = 0;      ///< tile test and later: unit of the traversal
     geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
-    PixelPos pixel{}; ///< edge test and later; of a tile its first pixel, of a scanline its row
+    PixelPos
+        pixel{}; ///< edge test and later, resolve; of a tile its first pixel, of a scanline its row
     std::int32_t tile_size = 0; ///< tile_test: pixels a side
-    bool covered = false;       ///< edge and plane test: the pixel is inside; fragment kinds: true
+    std::int32_t sample = -1;   ///< of a pixel with several: sample test, its depth test, and all
+                                ///< of a fragment that stands for one sample; else −1
+    bool covered = false;       ///< edge, sample and plane test: inside; fragment kinds: true
     bool passed = true;         ///< tests: the verdict
+    bool fatal = false;         ///< tests: the fragment ended here
     std::uint32_t fragment = 0; ///< interpolate and later: index into the fragment log
 
     [[nodiscard]] bool in_vertex_stage() const {

@@ -7,10 +7,12 @@
 
 namespace hs::trace {
 
-/// `first` marks the first clip pass of a triangle and the first test of a fragment.
+/// `passed` is false for the test that a fragment ends with; `first` marks the first clip pass of a
+/// triangle and the first test of a fragment.
 inline void count_step(Counters& counters, StepKind kind, bool passed, bool first) {
     switch (kind) {
     case StepKind::start:
+    case StepKind::resolve:
     case StepKind::end:
     case StepKind::vertex_eye:
     case StepKind::vertex_clip:
@@ -27,6 +29,7 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::span: ++counters.scan_steps; break;
     case StepKind::tile_test:
     case StepKind::edge_test:
+    case StepKind::sample_test:
     case StepKind::plane_test: break; // tiles and pixels are part of the cost
     case StepKind::interpolate: ++counters.fragments; break;
     case StepKind::shade: ++counters.fragments_shaded; break;

@@ -27,6 +27,21 @@ public:
     void edge_test(PixelPos pixel, const raster::EdgeValues&, bool inside) {
         visit(pixel, inside, StepKind::edge_test);
     }
+    void sample_tested(const raster::SampleTest& test) {
+        if (reached_) {
+            return;
+        }
+        if (test.sample == 0) {
+            trail_.visits.push_back({test.pixel});
+        }
+        TrailVisit& visit = trail_.visits.back();
+        ++visit.samples_asked;
+        if (test.inside) {
+            visit.covered = true;
+            visit.samples |= raster::mask_of(test.sample);
+        }
+        reached_ = is_step(StepKind::sample_test, test.pixel) && step_.sample == test.sample;
+    }
     void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
         visit(pixel, test.inside, StepKind::plane_test);
     }
@@ -45,6 +60,7 @@ public:
             reached_ = is_step(StepKind::span, {0, span.row});
         }
     }
+    void fragment_sampled(const pipeline::FragmentSamples&) {}
     /// A pixel inside a span or an accepted tile becomes a fragment without being asked.
     void interpolated(const raster::Fragment& fragment) {
         const bool asked = !trail_.visits.empty() && trail_.visits.back().pixel == fragment.pixel;
@@ -57,8 +73,10 @@ public:
     void scissor_tested(bool) {}
     void depth_tested(const pipeline::DepthTest&) {}
     void merged(const pipeline::Merge&) {}
+    void samples_merged(const pipeline::SamplesMerge&) {}
     void fragment_end(fragment::FragmentFate) {}
     void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+    void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {}
 
 private:
     [[nodiscard]] bool is_step(StepKind kind, PixelPos place) const {

@@ -2,6 +2,7 @@
 // its path, its tiles and its spans.
 #pragma once
 
+#include "core/raster/sample_pattern.hpp"
 #include "core/raster/scan_edge.hpp"
 #include "core/raster/tile.hpp"
 #include "core/trace/recording.hpp"
@@ -15,7 +16,9 @@ namespace hs::trace {
 /// A pixel the traversal came to: asked, or known to be covered.
 struct TrailVisit {
     PixelPos pixel;
-    bool covered = false;
+    bool covered = false;             ///< with several samples: one of those asked is
+    int samples_asked = 0;            ///< with several samples: in order, up to the step
+    raster::CoverageMask samples = 0; ///< of those, the ones covered
 };
 
 /// In the order things happened.

@@ -17,9 +17,9 @@ inline std::shared_ptr<const trace::Recording> recorded(std::shared_ptr<const sc
 }
 
 /// Players in the middle of random frames: every format, clipped and hidden triangles, several
-/// objects.
+/// objects; every other one with several samples a pixel, or conservative.
 inline trace::Player random_player(std::uint64_t seed) {
-    trace::Player player(recorded(random_scene(seed)));
+    trace::Player player(recorded(seed % 2 == 0 ? random_scene(seed) : sampled_scene(seed)));
     Random random(seed + 1000);
     player.seek(random.next() % (player.end() + 1));
     return player;

@@ -119,6 +119,27 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "the table of fragments has masks of samples only where a pixel has several", "[export][table]"
+) {
+    for (std::uint64_t seed = 0; seed < tests::random_frames; ++seed) {
+        const trace::Player player = tests::random_player(seed);
+        const trace::Recording& recording = player.recording();
+        const nlohmann::json table = as_json(player, "fragments");
+        REQUIRE(table.contains("fragment.coverage") == recording.samples.active());
+        int wrong = 0;
+        for (std::uint32_t i = 0; recording.samples.active() && i < player.fragments_done(); ++i) {
+            const trace::FragmentRecord& fragment = recording.fragments[i];
+            const bool right = table["fragment.coverage"][i] == fragment.coverage &&
+                               table["fragment.passed"][i] == fragment.passed &&
+                               (fragment.passed & ~fragment.coverage) == 0 &&
+                               (fragment.passed != 0) == fragment.written();
+            wrong += right ? 0 : 1;
+        }
+        CHECK(wrong == 0);
+    }
+}
+
 TEST_CASE("counters go up to the step", "[export][table]") {
     trace::Player player(tests::recorded(tests::random_scene(2)));
     CHECK(as_json(player, "counters")["counters.fragments"][0] == player.counters().fragments);

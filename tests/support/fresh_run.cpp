@@ -58,11 +58,13 @@ public:
     }
     void cost(const raster::Cost& cost) { counters_.traversal += cost; }
     void edge_test(PixelPos, const raster::EdgeValues&, bool) { add(StepKind::edge_test); }
+    void sample_tested(const raster::SampleTest&) { add(StepKind::sample_test); }
     void tile_tested(const raster::TileTest&) { add(StepKind::tile_test); }
     void edges_bucketed(const raster::EdgeTable&) { scan(StepKind::edge_table); }
     void edges_activated(const raster::ActiveEdges&) { scan(StepKind::active_edges); }
     void planes_tested(PixelPos, const raster::PlaneTest&) { add(StepKind::plane_test); }
     void span_found(const raster::Span&) { scan(StepKind::span); }
+    void fragment_sampled(const pipeline::FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {
         ++counters_.fragments;
         tests_ = 0;
@@ -73,13 +75,22 @@ public:
         add(StepKind::shade);
     }
     void scissor_tested(bool inside) { test(StepKind::scissor_test, inside, 1); }
-    void depth_tested(const pipeline::DepthTest& t) { test(StepKind::depth_test, t.passed, 2); }
+    void depth_tested(const pipeline::DepthTest& t) {
+        test(StepKind::depth_test, t.sample < 0 ? t.passed : !t.discards, 2);
+    }
     void merged(const pipeline::Merge&) {
+        ++counters_.fates[0];
+        add(StepKind::merge);
+    }
+    void samples_merged(const pipeline::SamplesMerge&) {
         ++counters_.fates[0];
         add(StepKind::merge);
     }
     void fragment_end(fragment::FragmentFate) {}
     void triangle_end(geometry::TriangleVerdict, geometry::Outcode) {}
+    void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {
+        add(StepKind::resolve);
+    }
 
     void add(StepKind kind) { moments_.push_back({kind, target_.digest(), counters_}); }
 
@@ -114,22 +125,32 @@ std::vector<Moment> fresh_run(const std::shared_ptr<const scene::Scene>& scene) 
     return moments;
 }
 
+namespace {
+
+/// A pixel's own color and depth: with several samples, what it was cleared to until it is
+/// resolved.
+framebuffer::SampleValue shown(const trace::Player& player, PixelPos pixel) {
+    const trace::SampleLog& log = player.recording().samples;
+    if (log.active() && !player.resolved(pixel)) {
+        return log.cleared()[0];
+    }
+    return {player.color(pixel), player.pixel(pixel).depth};
+}
+
+} // namespace
+
 std::uint64_t shown_digest(const trace::Player& player) {
     const trace::Recording& recording = player.recording();
-    const bool float_color = recording.settings().color_format == scene::ColorFormat::rgba32f;
+    const scene::ColorFormat format = recording.settings().color_format;
     Digest digest;
     for (int y = 0; y < recording.height(); ++y) {
         for (int x = 0; x < recording.width(); ++x) {
-            const trace::PixelRecord& pixel = player.pixel({x, y});
-            if (float_color) {
-                const glm::vec4 color = player.color({x, y});
-                for (const float channel : {color.r, color.g, color.b, color.a}) {
-                    digest.add(channel);
-                }
-            } else {
-                digest.add(pixel.color);
+            framebuffer::PixelSamples pixel;
+            pixel[0] = shown(player, {x, y});
+            framebuffer::add_samples(digest, pixel, format);
+            if (recording.samples.active()) {
+                framebuffer::add_samples(digest, player.samples({x, y}), format);
             }
-            digest.add(pixel.depth);
         }
     }
     return digest.value();

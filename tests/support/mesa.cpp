@@ -53,6 +53,7 @@ peer::DrawOptions options_for(const scene::Settings& settings, Sides sides) {
     peer::DrawOptions options{
         .width = settings.width,
         .height = settings.height,
+        .samples = settings.samples > 1 ? settings.samples : 0,
         .color_format = settings.color_format == scene::ColorFormat::rgba8
                             ? peer::ColorFormat::rgba8
                             : peer::ColorFormat::rgba32f,

@@ -114,4 +114,21 @@ std::shared_ptr<const scene::Scene> random_scene(std::uint64_t seed) {
     return made;
 }
 
+std::shared_ptr<const scene::Scene> sampled_scene(std::uint64_t seed) {
+    auto made = std::make_shared<scene::Scene>(*random_scene(seed));
+    Random random(~seed);
+    scene::Settings& s = made->settings;
+    s.sampling = any<scene::Sampling>(random, 3);
+    switch (s.sampling) {
+    case scene::Sampling::multisample: s.samples = 2 << random.below(3); break;
+    case scene::Sampling::supersample: s.samples = 4; break;
+    case scene::Sampling::conservative:
+        // Bounding box, incremental, serpentine
+        s.traversal = static_cast<scene::TraversalKind>(1 + random.below(3));
+        return made;
+    }
+    s.traversal = any<scene::TraversalKind>(random, 2);
+    return made;
+}
+
 } // namespace hs::tests

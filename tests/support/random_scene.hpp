@@ -13,6 +13,9 @@ namespace hs::tests {
 /// used.
 std::shared_ptr<const scene::Scene> random_scene(std::uint64_t seed);
 
+/// The same scene, its pixels asked at several samples or as whole squares.
+std::shared_ptr<const scene::Scene> sampled_scene(std::uint64_t seed);
+
 /// Small, portable, seeded: SplitMix64 (Steele, Lea and Flood, 2014).
 class Random {
 public:

@@ -94,8 +94,8 @@ void read_settings(SceneReader& reader, const toml::table& table) {
         }
     );
     if (const auto complaint = check_combination(settings)) {
-        const toml::node* viewport = table.get("viewport");
-        reader.complaints.add(viewport != nullptr ? *viewport : table, *complaint);
+        const toml::node* to_blame = table.get(complaint->substr(0, complaint->find(' ')));
+        reader.complaints.add(to_blame != nullptr ? *to_blame : table, *complaint);
     }
 }
 

@@ -65,6 +65,7 @@ TEST_CASE("every enumerator of the scene room has a name and a sentence", "[unit
     check_table<DepthConvention>(3);
     check_table<DepthOrder>(2);
     check_table<ColorFormat>(2);
+    check_table<Sampling>(3);
     check_table<Fault>(15);
     check_table<ProjectionKind>(4);
     check_table<Forward>(2);
