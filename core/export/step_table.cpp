@@ -3,7 +3,8 @@
 
 namespace hs::exporting {
 const trace::Step& StepAddresses::operator()(trace::StepId step) {
-    const bool outlined = step >= recording_->first_triangle_step && step < recording_->end_step;
+    const bool outlined =
+        step >= recording_->first_triangle_step && step < recording_->first_resolve_step;
     if (!outlined) {
         alone_ = trace::describe_step(*recording_, step);
         return alone_;
