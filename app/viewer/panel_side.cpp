@@ -25,8 +25,10 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_precision(context);
     } else if (panel == SidePanel::clipping) {
         draw_clipping(context);
-    } else {
+    } else if (panel == SidePanel::cost) {
         draw_cost(context);
+    } else {
+        draw_order(context);
     }
     end_panel();
 }
@@ -48,7 +50,7 @@ void draw_side(Context& context, const Rect& rect, SpaceLines& lines) {
         empty_note(
             theme,
             "Here you will see the meshes in every coordinate space, with the view volume, and "
-            "what projection, depth, clipping and traversals do to them."
+            "what projection, depth, clipping, traversals and ordering do to them."
         );
     } else {
         const float top = ImGui::GetCursorScreenPos().y;

@@ -36,6 +36,7 @@ void draw_projection(Context& context);
 void draw_precision(Context& context);
 void draw_clipping(Context& context);
 void draw_cost(Context& context);
+void draw_order(Context& context);
 void draw_inspector(Context& context, const Rect& rect);
 void draw_vertex_tab(Context& context);
 void draw_triangle_tab(Context& context);

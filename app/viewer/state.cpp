@@ -110,6 +110,7 @@ std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
          "how depth values are spread between the near and the far plane"},
         {SidePanel::clipping, "clip", "the triangle against each plane of the view volume"},
         {SidePanel::cost, "cost", "what the traversal spends, beside all others"},
+        {SidePanel::order, "order", "how the order in which triangles are drawn is found"},
     }};
     return table;
 }

@@ -52,9 +52,10 @@ enum class SidePanel : std::uint8_t {
     projection,
     precision,
     clipping,
-    cost
+    cost,
+    order
 };
-inline constexpr int side_panel_count = 5;
+inline constexpr int side_panel_count = 6;
 
 enum class InspectorTab : std::uint8_t {
     vertex,

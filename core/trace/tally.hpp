@@ -12,6 +12,7 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     switch (kind) {
     case StepKind::start:
     case StepKind::end:
+    case StepKind::order: // counted by kind of decision
     case StepKind::vertex_eye:
     case StepKind::vertex_clip:
     case StepKind::vertex_light: break;
