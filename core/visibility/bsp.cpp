@@ -38,35 +38,40 @@ std::size_t first_with_area(const BspTree& tree, std::span<const std::int32_t> l
 
 namespace {
 
-struct ClassificationCount {
+struct QuestionCount {
     double count = 0.0;
     void order_step(const OrderEvent& event, const BspTree&) {
-        count += event.kind == OrderEventKind::classify ? 1.0 : 0.0;
+        count += event.kind == OrderEventKind::classify    ? 1.0
+                 : event.kind == OrderEventKind::candidate ? event.other_value
+                                                           : 0.0;
     }
 };
 
-/// Classifications for a tree of `count` polygons spread evenly over the list.
+/// Questions for a tree of `count` polygons spread evenly over the list.
 double
 sample_cost(std::span<const WorldPolygon> polygons, std::size_t count, const BspOptions& options) {
     std::vector<WorldPolygon> sample;
     for (std::size_t k = 0; k < count; ++k) {
         sample.push_back(polygons[k * polygons.size() / count]);
     }
-    ClassificationCount classifications;
-    static_cast<void>(build_bsp(std::move(sample), options, classifications));
-    return classifications.count;
+    QuestionCount questions;
+    static_cast<void>(build_bsp(std::move(sample), options, questions));
+    return questions.count;
 }
 
 } // namespace
 
 double estimate_bsp(std::span<const WorldPolygon> polygons, const BspOptions& options) {
-    constexpr std::size_t large = 256;
+    constexpr std::size_t small = 256;
+    constexpr std::size_t large = 2048;
     if (polygons.size() <= large) {
         return sample_cost(polygons, polygons.size(), options);
     }
     const double cost = sample_cost(polygons, large, options);
-    const double power = std::log2(cost / std::max(sample_cost(polygons, large / 2, options), 1.0));
-    return cost * std::pow(static_cast<double>(polygons.size()) / large, power);
+    const double growth = cost / std::max(sample_cost(polygons, small, options), 1.0);
+    const double power = std::log(growth) / std::log(static_cast<double>(large) / small);
+    const double times = static_cast<double>(polygons.size()) / large;
+    return cost * std::pow(times, std::clamp(power, 1.0, 2.0));
 }
 
 } // namespace hs::visibility

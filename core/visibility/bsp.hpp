@@ -30,7 +30,7 @@ enum class Splitter : std::uint8_t {
 
 /// Asking every polygon of a list would cost its square. Fuchs, Kedem and Naylor found that a few
 /// candidates do nearly as well.
-inline constexpr std::int32_t max_candidates = 24;
+inline constexpr std::int32_t max_candidates = 8;
 
 struct BspOptions {
     Splitter splitter = Splitter::first;
@@ -216,9 +216,9 @@ build_bsp(std::vector<WorldPolygon> polygons, const BspOptions& options, Sink& s
     return tree;
 }
 
-/// Classifications that building will take, extrapolated from trees of 128 and 256 polygons out of
-/// all. A convex surface with `first` takes n²/2, triangles in no order some n log n: such curves
-/// are known by their beginning, within a factor of a few.
+/// How often building will ask on which side of a plane a polygon lies, candidates included.
+/// Extrapolated from trees of 256 and 2048 polygons out of all, as a power of their number: n² for
+/// a convex surface with `first`, little more than n for triangles in no order.
 [[nodiscard]] double
 estimate_bsp(std::span<const WorldPolygon> polygons, const BspOptions& options);
 

@@ -17,9 +17,8 @@ TEST_CASE("every pixel shows the triangle that a ray hits first", "[oracle][visi
 #include "tests/support/exact_triangle.hpp"
 #include "tests/support/paths.hpp"
 #include "tests/support/random_scene.hpp"
+#include "tests/support/ray_world.hpp"
 #include "tests/support/soup_scene.hpp"
-
-#include <embree3/rtcore.h>
 
 #include <array>
 #include <cmath>
@@ -33,70 +32,6 @@ namespace {
 constexpr double honest_distance = 1.0 / 256.0;
 constexpr double honest_depth = 4.0e-7;
 
-/// A world of loose triangles for rays.
-class RayWorld {
-public:
-    explicit RayWorld(const std::vector<glm::vec4>& corners)
-        : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-        RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* const positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), corners.size()
-        ));
-        auto* const indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            mesh,
-            RTC_BUFFER_TYPE_INDEX,
-            0,
-            RTC_FORMAT_UINT3,
-            3 * sizeof(unsigned),
-            corners.size() / 3
-        ));
-        for (unsigned i = 0; i < corners.size(); ++i) {
-            for (int k = 0; k < 3; ++k) {
-                positions[3 * i + static_cast<unsigned>(k)] = corners[i][k];
-            }
-            indices[i] = i;
-        }
-        rtcCommitGeometry(mesh);
-        rtcAttachGeometry(scene_, mesh);
-        rtcReleaseGeometry(mesh);
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcCommitScene(scene_);
-    }
-    RayWorld(const RayWorld&) = delete;
-    RayWorld& operator=(const RayWorld&) = delete;
-    RayWorld(RayWorld&&) = delete;
-    RayWorld& operator=(RayWorld&&) = delete;
-    ~RayWorld() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-
-    /// The first triangle hit, or −1. Distances count in multiples of the direction.
-    [[nodiscard]] int
-    first_hit(const glm::vec3& origin, const glm::vec3& direction, float near, float far) const {
-        RTCRayHit query{};
-        query.ray.org_x = origin.x;
-        query.ray.org_y = origin.y;
-        query.ray.org_z = origin.z;
-        query.ray.dir_x = direction.x;
-        query.ray.dir_y = direction.y;
-        query.ray.dir_z = direction.z;
-        query.ray.tnear = near;
-        query.ray.tfar = far;
-        query.ray.mask = ~0U;
-        query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene_, &context, &query);
-        return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1
-                                                           : static_cast<int>(query.hit.primID);
-    }
-
-private:
-    RTCDevice device_;
-    RTCScene scene_;
-};
-
 /// Rays from a perspective camera's eye through points of the window.
 class Eye {
 public:
@@ -106,7 +41,7 @@ public:
         right_ = basis.right;
         up_ = basis.up;
     }
-    [[nodiscard]] int first_hit(const RayWorld& world, const glm::dvec2& p) const {
+    [[nodiscard]] int first_hit(const tests::RayWorld& world, const glm::dvec2& p) const {
         const double tangent = std::tan(
             static_cast<double>(camera_.projection.fov_y) * 3.14159265358979323846 / 360.0
         );
@@ -136,7 +71,7 @@ struct Tally {
 struct Comparison {
     const tests::Soup& soup;
     const tests::Drawing& drawing;
-    const RayWorld& world;
+    const tests::RayWorld& world;
     const Eye& eye;
 
     [[nodiscard]] tests::ExactTriangle exact(int triangle) const {
@@ -186,7 +121,7 @@ void compare(const tests::Soup& soup, const std::shared_ptr<scene::Scene>& scene
     for (const tests::Corner& corner : soup) {
         corners.push_back(corner.clip); // world coordinates here
     }
-    const RayWorld world(corners);
+    const tests::RayWorld world(corners);
     const Eye eye(*scene);
     Comparison{soup, drawing, world, eye}.run(tally);
 }

@@ -120,6 +120,27 @@ TEST_CASE("depth sort, painted, shows the nearest triangle everywhere", "[proper
     CHECK(splits > 1000);
 }
 
+TEST_CASE("depth sort puts any two polygons in order wherever both are", "[property][visibility]") {
+    tests::Random random(409);
+    visibility::SilentOrder silent;
+    Tally tally;
+    for (int round = 0; round < 200; ++round) {
+        const auto given =
+            tests::random_window_triangles(2 + random.below(30), random.between(5, 60), random);
+        const auto sort = visibility::sort_by_depth(given, silent);
+        for (int i = 0; i < 200; ++i) {
+            const glm::dvec2 point{random.between(0.0F, 100.0F), random.between(0.0F, 100.0F)};
+            const auto sorted = tests::back_to_front_at(
+                given, sort.set.polygons, sort.order, point, edge_margin, depth_margin
+            );
+            tally.asked += sorted ? 1 : 0;
+            tally.wrong += sorted && !*sorted ? 1 : 0;
+        }
+    }
+    CHECK(tally.wrong == 0);
+    CHECK(tally.asked > 30'000);
+}
+
 TEST_CASE("cutting keeps the area, the weights and the plane", "[property][visibility]") {
     tests::Random random(402);
     visibility::SilentOrder silent;
@@ -266,6 +287,31 @@ TEST_CASE("one BSP tree shows the nearest triangle from every eye", "[property][
     CHECK(tally.asked > 10'000);
     CHECK(splits > 1000);
     CHECK(not_reversed == 0);
+}
+
+TEST_CASE("a BSP walk puts any two polygons in order on every ray", "[property][visibility]") {
+    tests::Random random(410);
+    visibility::SilentOrder silent;
+    Tally tally;
+    for (int round = 0; round < 60; ++round) {
+        const auto given =
+            tests::random_world_triangles(2 + random.below(40), random.between(0.1F, 1.0F), random);
+        const auto splitter = static_cast<visibility::Splitter>(round % 3);
+        const auto tree = visibility::build_bsp(given, {splitter, random.next()}, silent);
+        for (const glm::dvec4& eye : random_eyes(random)) {
+            const auto walk =
+                visibility::walk_bsp(tree, eye, visibility::WalkOrder::front_to_back, silent);
+            for (int i = 0; i < 50; ++i) {
+                const tests::Ray ray = tests::random_ray(eye, random);
+                const auto sorted =
+                    tests::front_to_back_along(tree.set.polygons, walk.order, ray, 1.0e-5);
+                tally.asked += sorted ? 1 : 0;
+                tally.wrong += sorted && !*sorted ? 1 : 0;
+            }
+        }
+    }
+    CHECK(tally.wrong == 0);
+    CHECK(tally.asked > 5'000);
 }
 
 TEST_CASE("every node of a BSP tree has its subtrees on its two sides", "[property][visibility]") {

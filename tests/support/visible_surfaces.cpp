@@ -191,6 +191,34 @@ std::optional<int> nearest_at(
     return second - depth < depth_margin ? std::nullopt : std::optional{nearest};
 }
 
+std::optional<bool> back_to_front_at(
+    std::span<const WindowPolygon> given,
+    std::span<const WindowPolygon> polygons,
+    std::span<const std::int32_t> order,
+    const glm::dvec2& point,
+    double margin,
+    double depth_margin
+) {
+    double last = std::numeric_limits<double>::infinity();
+    bool sorted = true;
+    for (const std::int32_t i : order) {
+        const WindowPolygon& polygon = polygons[static_cast<std::size_t>(i)];
+        const Place place = place_of(polygon, point, margin);
+        if (place == Place::near_edge) {
+            return std::nullopt;
+        }
+        if (place == Place::inside) {
+            const double depth = barycentric_depth(given[polygon.triangle], point);
+            if (std::fabs(depth - last) < depth_margin) {
+                return std::nullopt;
+            }
+            sorted = sorted && depth < last;
+            last = depth;
+        }
+    }
+    return sorted;
+}
+
 std::vector<WorldPolygon> random_world_triangles(std::uint32_t count, float size, Random& random) {
     const auto within = [&](float reach) {
         return glm::vec3{
@@ -284,6 +312,27 @@ std::optional<int> first_met(
         }
     }
     return -1;
+}
+
+std::optional<bool> front_to_back_along(
+    std::span<const WorldPolygon> polygons,
+    std::span<const std::int32_t> order,
+    const Ray& ray,
+    double margin
+) {
+    double last = 0.0;
+    bool sorted = true;
+    for (const std::int32_t i : order) {
+        const Meeting meeting = meet(polygons[static_cast<std::size_t>(i)], ray, margin);
+        if (meeting.unclear || (meeting.met && std::fabs(meeting.distance - last) < margin)) {
+            return std::nullopt;
+        }
+        if (meeting.met) {
+            sorted = sorted && meeting.distance > last;
+            last = meeting.distance;
+        }
+    }
+    return sorted;
 }
 
 std::optional<int>

@@ -58,6 +58,18 @@ std::optional<int> nearest_at(
     double depth_margin
 );
 
+/// Does every polygon of `order` over a point come after those that are farther there? Depths are
+/// those of the triangles given; nothing where the point is within `margin` pixels of an edge or
+/// two of them differ by less than `depth_margin`.
+std::optional<bool> back_to_front_at(
+    std::span<const visibility::WindowPolygon> given,
+    std::span<const visibility::WindowPolygon> polygons,
+    std::span<const std::int32_t> order,
+    const glm::dvec2& point,
+    double margin,
+    double depth_margin
+);
+
 /// Triangles of about `size` anywhere in the cube from −1 to 1, which penetrate each other freely.
 /// Coordinates are floats.
 std::vector<visibility::WorldPolygon>
@@ -84,5 +96,14 @@ std::optional<int> first_met(
 /// within `margin` of an edge, along a plane, or meets two triangles as near to each other.
 std::optional<int>
 nearest_met(std::span<const visibility::WorldPolygon> triangles, const Ray& ray, double margin);
+
+/// Does a ray meet the polygons of `order` one farther than the other? Nothing where it passes
+/// within `margin` of an edge, along a plane, or meets two as near to each other.
+std::optional<bool> front_to_back_along(
+    std::span<const visibility::WorldPolygon> polygons,
+    std::span<const std::int32_t> order,
+    const Ray& ray,
+    double margin
+);
 
 } // namespace hs::tests
