@@ -3,7 +3,7 @@
 #include "app/bench/session.hpp"
 #include "app/bench/timing.hpp"
 #include "core/base/check.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,8 @@
-// `halfspace compare`: what every traversal spends on a scene, or on one triangle of it.
+// `halfspace compare`: what every traversal spends on a scene, or on one triangle of it; or what
+// every visible-surface algorithm makes of the scene.
 #include "app/command/command.hpp"
 #include "core/trace/comparison.hpp"
+#include "core/trace/visibility_comparison.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +13,7 @@ namespace {
 struct Options {
     std::filesystem::path file;
     std::string at;
+    bool visibility = false;
 };
 
 double per_fragment(std::uint64_t count, const trace::TraversalCost& row) {
@@ -67,6 +70,96 @@ std::string as_json(const std::vector<trace::TraversalCost>& rows) {
     return document.dump() + '\n';
 }
 
+/// "triangle 3 at (31, 17), the z-buffer triangle 5"; empty where the pictures agree.
+std::string first_difference(const trace::VisibilityOutcome& row) {
+    if (!row.from_z_buffer.first) {
+        return "";
+    }
+    const auto name = [](std::uint32_t triangle) {
+        return triangle == trace::no_triangle ? std::string{"background"}
+                                              : fmt::format("triangle {}", triangle);
+    };
+    const PixelPos p = *row.from_z_buffer.first;
+    return fmt::format(
+        "({}, {}) shows {}, should show {}", p.x, p.y, name(row.shown), name(row.nearest)
+    );
+}
+
+std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
+    std::string text = fmt::format(
+        "{:<15}{:>12}{:>10}{:>12}{:>12}{:>17}  first such pixel\n",
+        "visibility",
+        "decisions",
+        "parts",
+        "fragments",
+        "written",
+        "unlike z-buffer"
+    );
+    for (const trace::VisibilityOutcome& row : rows) {
+        if (!row.refusal.empty()) {
+            text += fmt::format("{:<15}{}\n", name_of(row.visibility), row.refusal);
+            continue;
+        }
+        std::string line = fmt::format(
+            "{:<15}{:>12}{:>10}{:>12}{:>12}{:>17}  {}",
+            name_of(row.visibility),
+            row.decision_count,
+            row.parts,
+            row.fragments,
+            row.written,
+            row.from_z_buffer.pixels,
+            first_difference(row)
+        );
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+nlohmann::ordered_json decisions_json(const trace::OrderCounts& counts) {
+    nlohmann::ordered_json decisions = nlohmann::ordered_json::object();
+    for (const auto& kind : names<visibility::OrderEventKind>()) {
+        if (const std::uint64_t count = counts[static_cast<std::size_t>(kind.value)]; count > 0) {
+            decisions[std::string{kind.name}] = count;
+        }
+    }
+    return decisions;
+}
+
+std::string as_json(const std::vector<trace::VisibilityOutcome>& rows) {
+    auto document = nlohmann::ordered_json::array();
+    for (const trace::VisibilityOutcome& row : rows) {
+        nlohmann::ordered_json entry{{"visibility", name_of(row.visibility)}};
+        if (!row.refusal.empty()) {
+            entry["refusal"] = row.refusal;
+            document.push_back(entry);
+            continue;
+        }
+        entry["decisions"] = decisions_json(row.decisions);
+        entry["parts"] = row.parts;
+        entry["fragments"] = row.fragments;
+        entry["written"] = row.written;
+        entry["pixels_unlike_z_buffer"] = row.from_z_buffer.pixels;
+        if (const auto& first = row.from_z_buffer.first) {
+            // Triangles over the whole frame, −1 the background
+            entry["first_pixel"] = {first->x, first->y};
+            entry["shown"] = static_cast<std::int32_t>(row.shown);
+            entry["nearest"] = static_cast<std::int32_t>(row.nearest);
+        }
+        document.push_back(entry);
+    }
+    return document.dump() + '\n';
+}
+
+int run_visibility(const Options& options, const Common& common) {
+    const auto recording = record_file(options.file, common);
+    if (!recording) {
+        return fail(recording.diagnostics());
+    }
+    const auto rows = trace::compare_visibility((*recording)->scene());
+    return print(common.json ? as_json(rows) : as_table(rows));
+}
+
 int run_compare(const Options& options, const Common& common) {
     const auto recording = record_file(options.file, common);
     if (!recording) {
@@ -89,12 +182,24 @@ int run_compare(const Options& options, const Common& common) {
 
 Command add_compare(CLI::App& program, const Common& common) {
     auto options = std::make_shared<Options>();
-    CLI::App* app =
-        program.add_subcommand("compare", "Compare what every traversal spends on a scene");
-    app->footer("Example:\n  halfspace compare scene.toml --at 'object 0 / triangle 12'");
+    CLI::App* app = program.add_subcommand(
+        "compare", "Compare traversals, or visible-surface algorithms, on a scene"
+    );
+    app->footer("Examples:\n"
+                "  halfspace compare scene.toml --at 'object 0 / triangle 12'\n"
+                "  halfspace compare scene.toml --visibility");
     app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--at", options->at, "only the triangle of this step");
-    return {app, [options, &common] { return run_compare(*options, common); }, true};
+    app->add_flag(
+        "--visibility",
+        options->visibility,
+        "compare every visible-surface algorithm's picture with the z-buffer's instead"
+    );
+    const auto run = [options, &common] {
+        return options->visibility ? run_visibility(*options, common)
+                                   : run_compare(*options, common);
+    };
+    return {app, run, true};
 }
 
 } // namespace hs::command

@@ -2,7 +2,7 @@
 #include "app/command/command.hpp"
 #include "core/export/picture_file.hpp"
 #include "core/export/whole_file.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 
 namespace hs::command {
 namespace {

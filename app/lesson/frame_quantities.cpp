@@ -32,11 +32,27 @@ Result<Value> count(const Recording& recording, const Subject& subject, Count co
     }
     const std::uint32_t first = object.first_triangle + subject.triangle.value_or(0);
     const std::uint32_t last = subject.triangle ? first : first + object.triangle_count - 1;
-    const trace::StepId before = recording.triangles[first].first_step - 1;
-    const trace::StepId after = trace::last_step_of_triangle(recording, last);
-    return Value{
-        static_cast<double>(counter(counters_at(recording, after))) -
-        static_cast<double>(counter(counters_at(recording, before)))};
+
+    // Stretches of its draws: an order may scatter them
+    const auto belongs = [&](std::uint32_t draw) {
+        const std::uint32_t triangle = recording.triangle_of_draw(recording.order.draws[draw]);
+        return triangle >= first && triangle <= last;
+    };
+    const auto draws = static_cast<std::uint32_t>(recording.order.draws.size());
+    double sum = 0.0;
+    for (std::uint32_t draw = 0; draw < draws; ++draw) {
+        const bool begins = belongs(draw) && (draw == 0 || !belongs(draw - 1));
+        const bool ends = belongs(draw) && (draw + 1 == draws || !belongs(draw + 1));
+        if (begins) {
+            const trace::StepId before = recording.draw_steps[draw] - 1;
+            sum -= static_cast<double>(counter(counters_at(recording, before)));
+        }
+        if (ends) {
+            const trace::StepId after = trace::last_step_of_draw(recording, draw);
+            sum += static_cast<double>(counter(counters_at(recording, after)));
+        }
+    }
+    return Value{sum};
 }
 
 template <auto member>

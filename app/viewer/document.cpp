@@ -36,6 +36,8 @@ void Document::show(std::shared_ptr<const trace::Recording> recording) {
     sentence_step_.reset();
     trail_step_.reset();
     costs_triangle_.reset();
+    order_event_.reset();
+    order_.reset();
 }
 
 void Document::close() {
@@ -46,6 +48,8 @@ void Document::close() {
     sentence_step_.reset();
     trail_step_.reset();
     costs_triangle_.reset();
+    order_event_.reset();
+    order_.reset();
 }
 
 std::optional<std::uint32_t> Document::current_triangle() const {
@@ -54,6 +58,25 @@ std::optional<std::uint32_t> Document::current_triangle() const {
     }
     const trace::Step& step = player_->current();
     return recording().objects[step.object].first_triangle + step.triangle;
+}
+
+std::optional<std::uint32_t> Document::current_draw() const {
+    return current_triangle() ? std::optional{recording().draw_of_step(player_->step())}
+                              : std::nullopt;
+}
+
+const trace::OrderDetail* Document::order_detail() {
+    const trace::Recording& of = recording();
+    if (of.decisions.size() == 0 || player_->step() < of.first_order_step) {
+        return nullptr;
+    }
+    const trace::StepId last = std::min(player_->step(), of.first_triangle_step - 1);
+    const auto event = static_cast<std::uint32_t>(last - of.first_order_step);
+    if (order_event_ != event) {
+        order_ = trace::order_detail(of, event);
+        order_event_ = event;
+    }
+    return &*order_;
 }
 
 const trace::TriangleDetail* Document::triangle_detail() const {

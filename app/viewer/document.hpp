@@ -43,6 +43,8 @@ public:
 
     /// The triangle the current step belongs to, over the whole frame.
     [[nodiscard]] std::optional<std::uint32_t> current_triangle() const;
+    /// Where the current step stands in the order of draws.
+    [[nodiscard]] std::optional<std::uint32_t> current_draw() const;
     /// Its reasoning, or null.
     [[nodiscard]] const trace::TriangleDetail* triangle_detail() const;
     /// The piece the current step belongs to, or the first; null where there is none.
@@ -51,6 +53,10 @@ public:
     [[nodiscard]] const trace::VertexDetail* vertex_detail(int corner) const;
     /// The settings of the current step's object; the frame's outside of objects.
     [[nodiscard]] const scene::Settings& settings() const;
+
+    /// What the ordering algorithm knows: after its current decision, later at its end; null before
+    /// it and where triangles are drawn in file order.
+    const trace::OrderDetail* order_detail();
 
     /// The whole history of a pixel, kept until another pixel is asked for.
     const trace::PixelHistory& history(PixelPos pixel);
@@ -74,6 +80,8 @@ private:
     PixelRanges ranges_;
     std::optional<trace::PixelHistory> history_;
     std::optional<std::vector<PixelPos>> fighting_;
+    std::optional<trace::OrderDetail> order_;
+    std::optional<std::uint32_t> order_event_;
     std::string sentence_;
     std::optional<trace::StepId> sentence_step_;
     std::vector<trace::TraversalCost> traversal_costs_;

@@ -5,6 +5,17 @@
 
 namespace hs::viewer {
 
+std::vector<trace::Stage> strip_stages(bool orders_triangles) {
+    std::vector<trace::Stage> stages;
+    for (int i = 0; i < trace::stage_count; ++i) {
+        const auto stage = static_cast<trace::Stage>(i);
+        if (orders_triangles || stage != trace::Stage::visibility) {
+            stages.push_back(stage);
+        }
+    }
+    return stages;
+}
+
 Layout make_layout(ImVec2 window, const Theme& theme, float side_share) {
     const float hairline = 1.0F;
     const auto share = [&](float part, float least, float most) {

@@ -5,6 +5,7 @@
 #include "app/viewer/theme.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace hs::viewer {
 
@@ -23,6 +24,9 @@ struct Layout {
     Rect sentence;
     Rect timeline;
 };
+
+/// The stages that the strip shows from left to right: ordering only where it happens.
+std::vector<trace::Stage> strip_stages(bool orders_triangles);
 
 /// `side_share` of the middle belongs to the side panel; 0 when it is switched off.
 Layout make_layout(ImVec2 window, const Theme& theme, float side_share);

@@ -33,8 +33,10 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_search(context);
     } else if (panel == SidePanel::cost) {
         draw_cost(context);
-    } else {
+    } else if (panel == SidePanel::normals) {
         draw_normals(context);
+    } else {
+        draw_order(context);
     }
     end_panel();
 }
@@ -56,7 +58,7 @@ void draw_side(Context& context, const Rect& rect, SpaceLines& lines) {
         empty_note(
             theme,
             "Here you will see the meshes in every coordinate space, with the view volume, and "
-            "what projection, depth, clipping and traversals do to them."
+            "what projection, depth, clipping, traversals and ordering do to them."
         );
     } else {
         const float top = ImGui::GetCursorScreenPos().y;

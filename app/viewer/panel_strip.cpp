@@ -51,6 +51,12 @@ Flow flow_of(trace::Stage stage, const trace::Counters& c, const trace::Recordin
     switch (stage) {
     case Stage::application: return {recording.objects.size(), vertices, "objects", "vertices"};
     case Stage::vertex: return {vertices, c.vertices, "vertices waiting", "vertices in clip space"};
+    case Stage::visibility:
+        return {
+            recording.order.polygons.size(),
+            c.decisions[static_cast<std::size_t>(visibility::OrderEventKind::emit)],
+            "polygons to order",
+            "polygons in their order"};
     case Stage::clip: return {c.triangles, c.pieces, "triangles", "triangles after clipping"};
     case Stage::divide: return {c.pieces, c.pieces, "triangles", "triangles divided by w"};
     case Stage::viewport:
@@ -77,6 +83,7 @@ std::vector<std::string_view> counted_by(trace::Stage stage) {
     case Stage::test: return {"fragments failed"};
     case Stage::merge: return {"fragments written"};
     case Stage::application:
+    case Stage::visibility:
     case Stage::divide:
     case Stage::viewport:
     case Stage::cull:
@@ -184,9 +191,11 @@ void draw_strip(Context& context, const Rect& rect) {
     const bool open = context.document.is_open();
     const trace::Counters counters =
         open ? context.document.player().counters() : trace::Counters{};
-    const float width = rect.width / static_cast<float>(trace::stage_count);
-    for (int i = 0; i < trace::stage_count; ++i) {
-        const auto stage = static_cast<trace::Stage>(i);
+    const std::vector<trace::Stage> stages =
+        strip_stages(open && context.document.recording().settings().orders_triangles());
+    const float width = rect.width / static_cast<float>(stages.size());
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const trace::Stage stage = stages[i];
         Cell cell{
             .stage = stage,
             .rect = {},
@@ -215,7 +224,7 @@ void draw_strip(Context& context, const Rect& rect) {
             );
         }
         ImGui::SetCursorScreenPos({cell.rect.x, cell.rect.y});
-        ImGui::PushID(i);
+        ImGui::PushID(static_cast<int>(i));
         if (ImGui::InvisibleButton("stage", {cell.rect.width, cell.rect.height}) && open) {
             go_to_stage(context, stage);
         }

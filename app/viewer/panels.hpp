@@ -38,6 +38,7 @@ void draw_precision(Context& context);
 void draw_clipping(Context& context);
 void draw_cost(Context& context);
 void draw_normals(Context& context);
+void draw_order(Context& context);
 void draw_search(Context& context);
 void draw_inspector(Context& context, const Rect& rect);
 void draw_vertex_tab(Context& context);

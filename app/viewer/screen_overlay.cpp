@@ -4,6 +4,7 @@
 #include "app/viewer/layout.hpp"
 #include "app/viewer/lesson_form.hpp"
 #include "app/viewer/lesson_pointer.hpp"
+#include "app/viewer/order_overlay.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "app/viewer/search.hpp"
 #include "app/viewer/traversal_overlay.hpp"
@@ -443,6 +444,7 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
             draw_edge_line(canvas, *piece, k);
         }
     }
+    draw_ordered_pair(context);
     draw_traversal(context);
     if (context.document.player().current().has_pixel()) {
         draw_visit(canvas, context.document.player().current());

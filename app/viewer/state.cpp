@@ -114,6 +114,7 @@ std::span<const Named<viewer::SidePanel>> names<viewer::SidePanel>() {
         {SidePanel::normals,
          "normals",
          "one normal moved by the matrix and by its inverse transpose"},
+        {SidePanel::order, "order", "how the order in which triangles are drawn is found"},
         {SidePanel::search, "search", "vertices, triangles, fragments and steps that match"},
     }};
     return table;

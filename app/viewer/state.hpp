@@ -55,9 +55,10 @@ enum class SidePanel : std::uint8_t {
     clipping,
     cost,
     normals,
+    order,
     search
 };
-inline constexpr int side_panel_count = 8;
+inline constexpr int side_panel_count = 9;
 
 enum class InspectorTab : std::uint8_t {
     vertex,

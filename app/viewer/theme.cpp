@@ -42,6 +42,7 @@ struct StageColor { std::uint32_t dark; std::uint32_t light; };
 constexpr std::array<StageColor, trace::stage_count> stage_colors{{
     {0x9fa8b5, 0x56606d}, // application
     {0x3fbf92, 0x00704f}, // vertex
+    {0x8fb3ff, 0x2c55b8}, // visibility
     {0xe69f00, 0x9a5200}, // clip
     {0xd184b0, 0x9b3f74}, // divide
     {0x56b4e9, 0x0066a8}, // viewport

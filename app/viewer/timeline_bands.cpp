@@ -30,25 +30,49 @@ void TimelineBands::gather_frame(const trace::Recording& recording) {
                  fmt::format("vertices of object {}", i)}
             );
         }
-        if (object.triangle_count > 0) {
-            const std::uint32_t last = object.first_triangle + object.triangle_count - 1;
-            frame_.push_back(
-                {recording.triangles[object.first_triangle].first_step,
-                 trace::last_step_of_triangle(recording, last),
-                 trace::Stage::traverse,
-                 fmt::format("triangles of object {}", i)}
-            );
+    }
+    if (recording.first_order_step < recording.first_triangle_step) {
+        frame_.push_back(
+            {recording.first_order_step,
+             recording.first_triangle_step - 1,
+             trace::Stage::visibility,
+             "ordering of triangles"}
+        );
+    }
+    gather_draws(recording);
+}
+
+/// A band for every stretch of one object's triangles; one for all where there are too many.
+void TimelineBands::gather_draws(const trace::Recording& recording) {
+    const std::size_t before = frame_.size();
+    const std::vector<pipeline::Draw>& draws = recording.order.draws;
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+        const trace::StepId first = recording.draw_steps[i];
+        if (i > 0 && draws[i].object == draws[i - 1].object) {
+            continue;
         }
+        if (i > 0) {
+            frame_.back().last = first - 1;
+        }
+        frame_.push_back(
+            {first,
+             recording.first_resolve_step - 1,
+             trace::Stage::traverse,
+             fmt::format("triangles of object {}", draws[i].object)}
+        );
+    }
+    if (frame_.size() - before > most_objects) {
+        frame_.resize(before + 1);
+        frame_.back().last = recording.first_resolve_step - 1;
+        frame_.back().label = "triangles";
     }
 }
 
-void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t triangle) {
+void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t draw) {
     unit_.clear();
-    unit_range_.first = recording.triangles[triangle].first_step;
-    unit_range_.last = trace::last_step_of_triangle(recording, triangle);
-    const std::uint32_t object = recording.object_of_triangle(triangle);
-    unit_range_.label =
-        fmt::format("triangle {}", triangle - recording.objects[object].first_triangle);
+    unit_range_.first = recording.draw_steps[draw];
+    unit_range_.last = trace::last_step_of_draw(recording, draw);
+    unit_range_.label = fmt::format("triangle {}", recording.order.draws[draw].triangle);
     const trace::StepId count = unit_range_.last - unit_range_.first + 1;
     const trace::StepId stride = (count + most_asked - 1) / most_asked;
     for (trace::StepId id = unit_range_.first; id <= unit_range_.last; id += stride) {
@@ -88,16 +112,16 @@ void TimelineBands::update(Document& document, const std::optional<PixelPos>& se
     }
     if (other) {
         document_ = document.revision();
-        triangle_.reset();
+        draw_.reset();
         unit_.clear();
         gather_frame(document.recording());
     }
-    const std::optional<std::uint32_t> triangle = document.current_triangle();
-    if (triangle && triangle_ != triangle) {
-        triangle_ = triangle;
-        gather_unit(document.recording(), *triangle);
-    } else if (!triangle) {
-        triangle_.reset();
+    const std::optional<std::uint32_t> draw = document.current_draw();
+    if (draw && draw_ != draw) {
+        draw_ = draw;
+        gather_unit(document.recording(), *draw);
+    } else if (!draw) {
+        draw_.reset();
         unit_.clear();
     }
 }

@@ -22,7 +22,8 @@ public:
     /// Brings both rows up to date. Precondition: a document is open.
     void update(Document& document, const std::optional<PixelPos>& selected);
 
-    /// The whole frame: each object's vertices, each object's triangles.
+    /// The whole frame: each object's vertices, their order if it is found, each object's
+    /// triangles.
     [[nodiscard]] const std::vector<Band>& frame() const { return frame_; }
     /// The unit the playhead is in: a triangle's steps by stage; empty outside of triangles.
     [[nodiscard]] const std::vector<Band>& unit() const { return unit_; }
@@ -38,10 +39,11 @@ public:
 private:
     void gather_marks(Document& document);
     void gather_frame(const trace::Recording& recording);
-    void gather_unit(const trace::Recording& recording, std::uint32_t triangle);
+    void gather_draws(const trace::Recording& recording);
+    void gather_unit(const trace::Recording& recording, std::uint32_t draw);
 
     std::optional<unsigned> document_;
-    std::optional<std::uint32_t> triangle_;
+    std::optional<std::uint32_t> draw_;
     std::vector<Band> frame_;
     std::vector<Band> unit_;
     Band unit_range_;

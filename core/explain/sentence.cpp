@@ -1,6 +1,7 @@
 #include "core/explain/sentence.hpp"
 
 #include "core/explain/numbers.hpp"
+#include "core/explain/order.hpp"
 #include "core/explain/samples.hpp"
 #include "core/explain/traversal.hpp"
 
@@ -19,7 +20,7 @@ std::string triangle_name(const trace::Recording& recording, const Step& step) {
     if (recording.objects.size() > 1) {
         name += fmt::format(" of object {}", step.object);
     }
-    if (step.has_piece() && step.clipped) {
+    if (step.has_piece() && (step.clipped || step.part)) {
         name += fmt::format(", piece {}", step.piece);
     }
     return name;
@@ -324,6 +325,9 @@ std::string sentence(const trace::Player& player) {
         return square_sentence(
             triangle_name(recording, step), step, *piece.setup, detail.visit->edges
         );
+    }
+    if (detail.order) {
+        return order_sentence(recording, *detail.order);
     }
     if (step.kind == StepKind::edge_test) {
         return edge_sentence(triangle_name(recording, step), step, detail);

@@ -18,6 +18,10 @@ template <typename T>
 constexpr ColumnType type_of() {
     if constexpr (std::is_same_v<T, float>) {
         return ColumnType::float32;
+    } else if constexpr (std::is_same_v<T, double>) {
+        return ColumnType::float64;
+    } else if constexpr (std::is_same_v<T, std::int32_t>) {
+        return ColumnType::int32;
     } else if constexpr (std::is_same_v<T, std::uint8_t>) {
         return ColumnType::uint8;
     } else if constexpr (std::is_same_v<T, std::uint16_t>) {
@@ -93,6 +97,8 @@ Table fragment_table(const SharedRecording& recording, std::uint32_t fragments);
 Table run_table(const SharedRecording& recording, std::uint32_t fragments);
 /// Every step up to and including `last`.
 Table step_table(const SharedRecording& recording, trace::StepId last);
+/// The first `decisions` decisions of the ordering algorithm.
+Table order_table(const SharedRecording& recording, std::size_t decisions);
 Table counter_table(const trace::Counters& counters);
 /// Of the triangle the player stands on, else of the frame.
 Table traversal_table(const trace::Player& player);

@@ -18,6 +18,7 @@ static_assert(
 std::string_view numpy_type(ColumnType type) {
     switch (type) {
     case ColumnType::float32: return "<f4";
+    case ColumnType::float64: return "<f8";
     case ColumnType::uint8: return "|u1";
     case ColumnType::uint16: return "<u2";
     case ColumnType::int32: return "<i4";

@@ -1,5 +1,5 @@
-// The polygons clipping made: their vertices in clip space, each with its weights among the
-// triangle's three vertices.
+// The polygons that clipping and splitting made: their vertices in clip space, each with its
+// weights among the triangle's three vertices.
 #include "core/export/column.hpp"
 #include "core/pipeline/draw.hpp"
 
@@ -22,18 +22,32 @@ struct Pieces {
     std::vector<PieceVertex> vertices;
 };
 
-/// Clips the triangle again. In place of its varyings it carries weights, so that they are
-/// interpolated as everything else is.
+/// Clips the triangle, or a part of it, again. In place of its varyings it carries weights, so that
+/// they are interpolated as everything else is.
 geometry::ClipPolygon weighted_polygon(
-    const pipeline::DrawCall& call, std::uint32_t triangle, geometry::Outcode crossed
+    const pipeline::DrawCall& call, const pipeline::DrawOrder& order, const pipeline::Draw& draw
 ) {
-    geometry::ClipPolygon polygon = pipeline::assemble(call, call.triangles()[triangle]);
+    const scene::TriangleIndices& indices = call.triangles()[draw.triangle];
+    pipeline::TrianglePart part{.weights = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+    geometry::ClipPolygon polygon = pipeline::assemble(call, indices);
+    if (draw.part >= 0) {
+        part = order.parts[static_cast<std::size_t>(draw.part)];
+        polygon = pipeline::assemble(call, indices, part).polygon;
+    }
+    unsigned crossed = 0;
     for (unsigned corner = 0; corner < 3; ++corner) {
-        polygon.vertices[corner].varyings = {};
-        polygon.vertices[corner].varyings[static_cast<int>(corner)] = 1.0F;
+        geometry::ClipVertex& vertex = polygon.vertices[corner];
+        crossed |=
+            call.settings.clip_enabled ? geometry::outcode(call.volume, vertex.position) : 0U;
+        vertex.varyings = {};
+        for (int k = 0; k < 3; ++k) {
+            vertex.varyings[k] = static_cast<float>(part.weights[corner][k]);
+        }
     }
     pipeline::NullTrace nothing;
-    return geometry::clip_polygon(polygon, call.volume, crossed, nothing);
+    return geometry::clip_polygon(
+        polygon, call.volume, static_cast<geometry::Outcode>(crossed), nothing
+    );
 }
 
 void add_fan(Pieces& all, std::uint32_t triangle, const geometry::ClipPolygon& polygon) {
@@ -58,9 +72,11 @@ std::shared_ptr<const Pieces> gather(const trace::Recording& recording) {
                            call.settings.traversal != scene::TraversalKind::homogeneous;
         const bool clipped =
             clips && record.crossed != 0 && record.verdict != geometry::TriangleVerdict::outside;
-        if (clipped) {
-            const std::uint32_t own = t - recording.objects[object].first_triangle;
-            add_fan(*all, t, weighted_polygon(call, own, record.crossed));
+        for (const std::uint32_t index : recording.draws_of_triangle(t)) {
+            const pipeline::Draw& draw = recording.order.draws[index];
+            if (clipped || draw.part >= 0) {
+                add_fan(*all, t, weighted_polygon(call, recording.order, draw));
+            }
         }
     }
     return all;

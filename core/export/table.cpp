@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 
 namespace hs::exporting {
@@ -24,6 +25,12 @@ Table fragments_at(const Player& player) {
 Table runs_at(const Player& player) {
     return run_table(player.shared_recording(), player.fragments_done());
 }
+Table order_at(const Player& player) {
+    const trace::Recording& recording = player.recording();
+    const trace::StepId done =
+        std::clamp(player.step() + 1, recording.first_order_step, recording.first_triangle_step);
+    return order_table(player.shared_recording(), done - recording.first_order_step);
+}
 Table counters_at(const Player& player) {
     return counter_table(player.counters());
 }
@@ -37,7 +44,7 @@ Table piece_vertices_at(const Player& player) {
     return piece_tables(player.shared_recording()).vertices;
 }
 
-constexpr std::array<TableName, 9> known{{
+constexpr std::array<TableName, 10> known{{
     {"vertices", "every vertex in every space, with its varyings"},
     {"triangles", "every triangle with its verdict"},
     {"fragments", "every fragment up to the step, with its fate"},
@@ -45,6 +52,7 @@ constexpr std::array<TableName, 9> known{{
     {"runs", "stretches of one triangle's fragments, up to the step"},
     {"pieces", "triangles made by clipping"},
     {"piece-vertices", "their vertices, with weights among the original three"},
+    {"order", "every decision of the ordering algorithm, up to the step"},
     {"steps", "where every step up to this one stands"},
     {"traversals", "what every traversal would spend on the step's triangle, or on the frame"},
 }};
@@ -58,6 +66,7 @@ constexpr std::array<Table (*)(const Player&), known.size()> makers{
     runs_at,
     pieces_at,
     piece_vertices_at,
+    order_at,
     steps_at,
     traversal_table};
 
@@ -70,7 +79,8 @@ std::size_t size_of(ColumnType type) {
     case ColumnType::float32:
     case ColumnType::int32:
     case ColumnType::uint32: return 4;
-    case ColumnType::uint64: return 8;
+    case ColumnType::uint64:
+    case ColumnType::float64: return 8;
     }
     HS_CHECK(false, "every column type has a size");
     return 0;
@@ -113,6 +123,11 @@ Table counter_table(const trace::Counters& counters) {
         }));
     };
     add("vertices", counters.vertices);
+    for (const Named<visibility::OrderEventKind>& kind : names<visibility::OrderEventKind>()) {
+        std::string name = fmt::format("order_{}", kind.name);
+        std::ranges::replace(name, ' ', '_');
+        add(name, counters.decisions[static_cast<std::size_t>(kind.value)]);
+    }
     add("triangles", counters.triangles);
     add("triangles_clipped", counters.clipped);
     add("pieces", counters.pieces);
@@ -130,9 +145,7 @@ Table counter_table(const trace::Counters& counters) {
     add("fragments_tested", counters.fragments_tested);
     for (const Named<fragment::FragmentFate>& fate : names<fragment::FragmentFate>()) {
         std::string name = fmt::format("fragments_{}", fate.name);
-        for (char& letter : name) {
-            letter = letter == ' ' ? '_' : letter;
-        }
+        std::ranges::replace(name, ' ', '_');
         add(name, counters.fates[static_cast<std::size_t>(fate.value)]);
     }
     return table;
@@ -144,6 +157,9 @@ std::vector<Table> trace_tables(const SharedRecording& recording) {
     std::vector<Table> tables;
     tables.push_back(vertex_table(recording));
     tables.push_back(triangle_table(recording));
+    if (recording->settings().orders_triangles()) {
+        tables.push_back(order_table(recording, recording->decisions.size()));
+    }
     tables.push_back(std::move(pieces.pieces));
     tables.push_back(std::move(pieces.vertices));
     tables.push_back(run_table(recording, fragments));

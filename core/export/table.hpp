@@ -19,6 +19,7 @@ namespace hs::exporting {
 /// What a column's numbers are, as NumPy names them.
 enum class ColumnType : std::uint8_t {
     float32,
+    float64,
     uint8,
     uint16,
     int32,
@@ -57,8 +58,8 @@ struct TableName {
 std::span<const TableName> table_names();
 
 /// A table at the player's step, columns as in the trace format; it keeps the recording alive.
-/// What is per vertex and per triangle is of the whole frame; fragments, runs and counters go up
-/// to the step. Anything else than the names above is an error that lists them.
+/// What is per vertex and per triangle is of the whole frame; fragments, runs, decisions
+/// and counters go up to the step. Anything else than the names above is an error that lists them.
 Result<Table> make_table(const trace::Player& player, std::string_view name);
 
 /// The tables of a whole frame, as a trace keeps them.

@@ -30,7 +30,8 @@ std::int64_t load_whole(ColumnType type, const std::byte* value) {
     case ColumnType::int32: return load<std::int32_t>(value);
     case ColumnType::uint32: return load<std::uint32_t>(value);
     case ColumnType::uint64: return static_cast<std::int64_t>(load<std::uint64_t>(value));
-    case ColumnType::float32: break;
+    case ColumnType::float32:
+    case ColumnType::float64: break;
     }
     HS_CHECK(false, "a column of whole numbers");
     return 0;
@@ -44,17 +45,27 @@ struct Notation {
 constexpr Notation csv{"", ""};
 constexpr Notation json{"\"", "null"};
 
+template <typename Real>
+void append_real(fmt::memory_buffer& text, const std::byte* value, const Notation& notation) {
+    const auto number = load<Real>(value);
+    if (std::isfinite(number) || notation.not_finite.empty()) {
+        // The shortest text that reads back exactly
+        fmt::format_to(std::back_inserter(text), "{}", number);
+    } else {
+        fmt::format_to(std::back_inserter(text), "{}", notation.not_finite);
+    }
+}
+
 void append_number(
     fmt::memory_buffer& text, const Column& column, const std::byte* value, const Notation& notation
 ) {
     const auto out = std::back_inserter(text);
     if (column.type == ColumnType::float32) {
-        const auto number = load<float>(value);
-        if (std::isfinite(number) || notation.not_finite.empty()) {
-            fmt::format_to(out, "{}", number); // the shortest text that reads back exactly
-        } else {
-            fmt::format_to(out, "{}", notation.not_finite);
-        }
+        append_real<float>(text, value, notation);
+        return;
+    }
+    if (column.type == ColumnType::float64) {
+        append_real<double>(text, value, notation);
         return;
     }
     const std::int64_t number = load_whole(column.type, value);

@@ -5,7 +5,7 @@ namespace hs {
 template <>
 std::span<const Named<geometry::TriangleVerdict>> names<geometry::TriangleVerdict>() {
     using geometry::TriangleVerdict;
-    static constexpr std::array<Named<TriangleVerdict>, 8> table{{
+    static constexpr std::array<Named<TriangleVerdict>, 9> table{{
         {TriangleVerdict::drawn, "drawn", "it covered at least one pixel center"},
         {TriangleVerdict::outside, "outside", "nothing of it lies inside the view volume"},
         {TriangleVerdict::back_facing,
@@ -24,6 +24,9 @@ std::span<const Named<geometry::TriangleVerdict>> names<geometry::TriangleVerdic
         {TriangleVerdict::too_large,
          "too large",
          "a vertex lies millions of pixels away, beyond exact arithmetic"},
+        {TriangleVerdict::stuck,
+         "stuck",
+         "the ordering found no moment at which it could be drawn"},
     }};
     return table;
 }

@@ -19,6 +19,7 @@ enum class TriangleVerdict : std::uint8_t {
     no_sample_covered,
     behind_the_eye,
     too_large,
+    stuck,
 };
 
 /// Twice the signed area in 1/65536 pixel², positive for triangles that are counterclockwise as

@@ -54,4 +54,33 @@ geometry::ClipPolygon assemble(const DrawCall& call, const scene::TriangleIndice
     return polygon;
 }
 
+ShadedPart
+assemble(const DrawCall& call, const scene::TriangleIndices& indices, const TrianglePart& part) {
+    const geometry::ClipPolygon whole = assemble(call, indices);
+    const auto mixed = [&whole](const glm::dvec3& weights, const auto& value_of) {
+        return static_cast<float>(
+            weights[0] * static_cast<double>(value_of(whole[0])) +
+            weights[1] * static_cast<double>(value_of(whole[1])) +
+            weights[2] * static_cast<double>(value_of(whole[2]))
+        );
+    };
+    ShadedPart result;
+    for (unsigned corner = 0; corner < 3; ++corner) {
+        const glm::dvec3& weights = part.weights[corner];
+        geometry::ClipVertex vertex;
+        vertex.position = {
+            mixed(weights, [](const geometry::ClipVertex& v) { return v.position.x; }),
+            mixed(weights, [](const geometry::ClipVertex& v) { return v.position.y; }),
+            mixed(weights, [](const geometry::ClipVertex& v) { return v.position.z; }),
+            mixed(weights, [](const geometry::ClipVertex& v) { return v.position.w; })};
+        for (int i = 0; i < call.vertex.layout.count; ++i) {
+            vertex.varyings[i] =
+                mixed(weights, [i](const geometry::ClipVertex& v) { return v.varyings[i]; });
+        }
+        result.outcodes[corner] = geometry::outcode(call.volume, vertex.position);
+        result.polygon.add(vertex);
+    }
+    return result;
+}
+
 } // namespace hs::pipeline

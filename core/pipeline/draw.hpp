@@ -1,21 +1,20 @@
-// The whole pipeline on one page: vertex › clip › divide › viewport and snap › cull › setup ›
-// traverse › shade › test › merge.
+// The whole pipeline of a triangle on one page: clip › divide › viewport and snap › cull › setup ›
+// traverse › shade › test › merge. What comes before it, for all triangles at once, is in
+// draw_frame.hpp.
 #pragma once
 
-#include "core/base/parallel.hpp"
 #include "core/fragment/blend.hpp"
 #include "core/framebuffer/depth.hpp"
 #include "core/framebuffer/framebuffer.hpp"
+#include "core/pipeline/draw_order.hpp"
 #include "core/pipeline/draw_samples.hpp"
 #include "core/pipeline/fault.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/pipeline/homogeneous.hpp"
 #include "core/pipeline/narration.hpp"
-#include "core/pipeline/row_bands.hpp"
 #include "core/raster/traverse.hpp"
 
 #include <limits>
-#include <type_traits>
 
 namespace hs::pipeline {
 
@@ -296,6 +295,22 @@ geometry::TriangleVerdict draw_piece(
 /// of the provoking vertex's varyings.
 geometry::ClipPolygon assemble(const DrawCall& call, const scene::TriangleIndices& indices);
 
+/// A part of a triangle as it enters clipping.
+struct ShadedPart {
+    geometry::ClipPolygon polygon;
+    std::array<geometry::Outcode, 3> outcodes{};
+
+    /// The planes some corner is outside of.
+    [[nodiscard]] geometry::Outcode crossed() const {
+        const unsigned any = outcodes[0] | outcodes[1] | outcodes[2];
+        return static_cast<geometry::Outcode>(any);
+    }
+};
+
+/// Its corners get position and varyings from the weights: parts that share a corner get the same.
+ShadedPart
+assemble(const DrawCall& call, const scene::TriangleIndices& indices, const TrianglePart& part);
+
 /// Of the verdicts of a triangle's pieces the one that says most: any drawn piece makes the
 /// triangle drawn.
 [[nodiscard]] inline geometry::TriangleVerdict
@@ -309,10 +324,12 @@ stronger(geometry::TriangleVerdict a, geometry::TriangleVerdict b) {
 
 /// Clips a triangle that crosses planes and draws the pieces the polygon is fanned into.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
+// NOLINTNEXTLINE(readability-function-size): a stage is handed all it needs, and looks up nothing
 geometry::TriangleVerdict draw_clipped(
     const DrawCall& call,
     const geometry::ClipPolygon& triangle,
     geometry::Outcode crossed,
+    int first_piece,
     const TriangleScope& scope,
     Target& target,
     Trace& trace
@@ -324,13 +341,14 @@ geometry::TriangleVerdict draw_clipped(
     }
 
     geometry::TriangleVerdict verdict = geometry::TriangleVerdict::degenerate;
-    for (int piece = 0; piece + 2 < polygon.count; ++piece) {
+    for (int k = 0; k + 2 < polygon.count; ++k) {
+        const int piece = first_piece + k;
         Piece fan;
-        const std::array<int, 3> corners{0, piece + 1, piece + 2};
-        for (unsigned k = 0; k < 3; ++k) {
-            const geometry::ClipVertex& vertex = polygon[corners[k]];
-            fan.varyings[k] = vertex.varyings.values.data();
-            fan.window[k] = geometry::to_window(vertex.position, call.viewport);
+        const std::array<int, 3> corners{0, k + 1, k + 2};
+        for (unsigned corner = 0; corner < 3; ++corner) {
+            const geometry::ClipVertex& vertex = polygon[corners[corner]];
+            fan.varyings[corner] = vertex.varyings.values.data();
+            fan.window[corner] = geometry::to_window(vertex.position, call.viewport);
         }
         trace.piece_begin(piece);
         verdict =
@@ -408,7 +426,7 @@ geometry::TriangleVerdict draw_triangle(
     } else if (visible) {
         const bool clip = call.settings.clip_enabled && any != 0;
         if (clip) {
-            verdict = draw_clipped(call, assemble(call, indices), crossed, scope, target, trace);
+            verdict = draw_clipped(call, assemble(call, indices), crossed, 0, scope, target, trace);
         } else {
             Piece whole{
                 {call.varyings_of(indices.a),
@@ -429,75 +447,6 @@ geometry::TriangleVerdict draw_triangle(
     }
     trace.triangle_end(verdict, crossed);
     return verdict;
-}
-
-/// The vertex stage of one object. Vertices do not depend on each other, so threads may share them;
-/// the story is told in order all the same.
-template <TraceSink Trace>
-void run_vertex_stage(DrawCall& call, Trace& trace, unsigned threads = 1) {
-    constexpr std::size_t grain = 4096;
-    const std::size_t count = call.vertex.mesh->positions.size();
-    call.resize_vertices(count);
-    parallel_ranges(count, threads, grain, [&call](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const VertexWork work = run_vertex(call.vertex, static_cast<std::uint32_t>(i));
-            call.place_vertex(i, {work.clip, work.varyings});
-        }
-    });
-    const int steps = steps_per_vertex(call.settings.shading);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        trace.vertex_run(call.object, i, steps);
-    }
-}
-
-/// The rows of a band, of every triangle, without a story.
-template <framebuffer::PixelTarget Target>
-void draw_band(const Frame& frame, const PixelRect& band, Target& target) {
-    NullTrace nothing;
-    for (const DrawCall& call : frame.calls()) {
-        const std::vector<ShadedVertex>& v = call.vertices;
-        for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
-            const scene::TriangleIndices& t = call.triangles()[i];
-            if (!misses(band, v[t.a], v[t.b], v[t.c])) {
-                draw_triangle(call, i, {.band = band}, target, nothing);
-            }
-        }
-    }
-}
-
-/// Every triangle of a frame on several threads: each draws its own rows.
-template <framebuffer::PixelTarget Target>
-void draw_bands(const Frame& frame, Target& target, unsigned threads) {
-    const std::vector<PixelRect> bands = balanced_bands(frame, threads);
-    parallel_ranges(bands.size(), threads, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            draw_band(frame, bands[i], target);
-        }
-    });
-}
-
-/// A whole frame: every object's vertices, then every object's triangles, in file order; with
-/// several samples a pixel, they are resolved at the end. Threads
-/// share the vertices; where nobody listens, they share the rows, too.
-template <TraceSink Trace, framebuffer::PixelTarget Target>
-void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
-    for (DrawCall& call : frame.calls()) {
-        run_vertex_stage(call, trace, threads);
-    }
-    if (std::is_same_v<Trace, NullTrace> && threads > 1) {
-        draw_bands(frame, target, threads);
-    } else {
-        for (const DrawCall& call : frame.calls()) {
-            for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
-                draw_triangle(call, i, {}, target, trace);
-            }
-        }
-    }
-    if constexpr (framebuffer::SampleTarget<Target>) {
-        if (frame.settings().samples > 1) {
-            resolve_frame(frame.settings(), target, trace);
-        }
-    }
 }
 
 } // namespace hs::pipeline

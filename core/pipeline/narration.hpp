@@ -15,6 +15,7 @@
 #include "core/raster/sample_pattern.hpp"
 #include "core/raster/traversal.hpp"
 #include "core/shading/shade.hpp"
+#include "core/visibility/order_trace.hpp"
 
 #include <array>
 #include <concepts>
@@ -85,8 +86,10 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     fragment::FragmentFate fate
 ) {
     t.vertex_run(id, id, number); // *step* × number: world, eye, clip, and light for Gouraud
+    // Here the ordering of triangles speaks, if there is one: visibility::OrderSink
     t.triangle_begin(id, id);
-    t.outcodes(codes);                                      // *step*
+    t.part_begin(number); // only for parts of a triangle that was split: the first piece's number
+    t.outcodes(codes);    // *step*
     t.clipped(geometry::ClipPlane::near, polygon, polygon); // *step*, per plane that clips
     t.piece_begin(number);
     t.divided(window);        // *step*
@@ -114,12 +117,13 @@ template <typename T>
 concept IgnoresValues = TraceSink<T> && T::ignores_values;
 
 /// The sink that compiles away.
-struct NullTrace : raster::SilentTraversal {
+struct NullTrace : raster::SilentTraversal, visibility::SilentOrder {
     static constexpr bool ignores_values = true;
     static constexpr bool ignores_traversal = true;
 
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
+    void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {}
     void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {}
     void piece_begin(int) {}

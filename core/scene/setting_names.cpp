@@ -15,6 +15,15 @@ constexpr Named<Visibility> visibility_names[] = {
      "z-buffer",
      "every pixel remembers the depth of what it shows and keeps a fragment that passes the depth "
      "test"},
+    {Visibility::painters,
+     "painters",
+     "triangles are sorted by one depth each and painted from the farthest to the nearest"},
+};
+
+constexpr Named<PaintersKey> painters_key_names[] = {
+    {PaintersKey::farthest, "farthest", "a polygon stands where its farthest corner is"},
+    {PaintersKey::nearest, "nearest", "a polygon stands where its nearest corner is"},
+    {PaintersKey::centroid, "centroid", "a polygon stands at the average depth of its corners"},
 };
 
 constexpr Named<TraversalKind> traversal_names[] = {
@@ -185,6 +194,10 @@ constexpr Named<Fault> fault_names[] = {
 template <>
 std::span<const Named<Visibility>> names<Visibility>() {
     return visibility_names;
+}
+template <>
+std::span<const Named<PaintersKey>> names<PaintersKey>() {
+    return painters_key_names;
 }
 template <>
 std::span<const Named<TraversalKind>> names<TraversalKind>() {

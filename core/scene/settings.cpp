@@ -369,6 +369,9 @@ std::vector<Row> algorithm_rows() {
         choice_row<&Settings::visibility>(
             {"visibility", "which algorithm decides what hides what", "glEnable(GL_DEPTH_TEST)"}
         ),
+        choice_row<&Settings::painters_key>(
+            {"painters.key", "the one depth by which the painter's algorithm sorts a polygon", ""}
+        ),
         choice_row<&Settings::traversal>(
             {"traversal", "which pixels are visited to find those a triangle covers", ""}
         ),

@@ -20,7 +20,14 @@ namespace hs::scene {
 
 enum class Visibility : std::uint8_t {
     none,
-    z_buffer
+    z_buffer,
+    painters
+};
+/// The one depth that stands for a polygon in the painter's algorithm.
+enum class PaintersKey : std::uint8_t {
+    farthest,
+    nearest,
+    centroid
 };
 enum class TraversalKind : std::uint8_t {
     brute_force,
@@ -112,6 +119,7 @@ struct Settings {
     int height = 64; ///< pixels, 1 … 8192
     glm::vec4 background{0.0F, 0.0F, 0.0F, 1.0F};
     Visibility visibility = Visibility::z_buffer;
+    PaintersKey painters_key = PaintersKey::farthest;
     TraversalKind traversal = TraversalKind::bounding_box;
     int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
     int samples = 1;   ///< points a pixel is asked at: 1, 2, 4 or 8
@@ -137,6 +145,8 @@ struct Settings {
         false; ///< source alpha over destination: src·a + dst·(1 − a); alpha: a + dst_a·(1 − a)
     Fault fault = Fault::none;
 
+    /// Triangles are drawn in an order that a stage of its own finds, not in file order.
+    [[nodiscard]] bool orders_triangles() const { return visibility >= Visibility::painters; }
     [[nodiscard]] CompareOp depth_test() const {
         const bool reversed = depth_convention == DepthConvention::reversed;
         return depth_test_choice.value_or(reversed ? CompareOp::greater : CompareOp::less);
@@ -218,6 +228,8 @@ std::optional<std::string> check_combination(const Settings& settings);
 namespace hs {
 template <>
 std::span<const Named<scene::Visibility>> names<scene::Visibility>();
+template <>
+std::span<const Named<scene::PaintersKey>> names<scene::PaintersKey>();
 template <>
 std::span<const Named<scene::TraversalKind>> names<scene::TraversalKind>();
 template <>

@@ -36,6 +36,18 @@ Step describe_resolve_step(const Recording& recording, StepId step) {
     return result;
 }
 
+Step describe_order_step(const Recording& recording, StepId step) {
+    const std::size_t event = step - recording.first_order_step;
+    Step result;
+    result.id = step;
+    result.kind = StepKind::order;
+    result.decision = recording.decisions[event].kind;
+    result.event = static_cast<std::uint32_t>(event);
+    result.ordinal = static_cast<std::uint32_t>(recording.decisions.counts_before(event
+    )[static_cast<std::size_t>(result.decision)]);
+    return result;
+}
+
 } // namespace
 
 Step describe_step(const Recording& recording, StepId step) {
@@ -49,8 +61,11 @@ Step describe_step(const Recording& recording, StepId step) {
     if (step == 0) {
         return result;
     }
-    if (step < recording.first_triangle_step) {
+    if (step < recording.first_order_step) {
         return describe_vertex_step(recording, step);
+    }
+    if (step < recording.first_triangle_step) {
+        return describe_order_step(recording, step);
     }
     if (step >= recording.first_resolve_step) {
         return describe_resolve_step(recording, step);
@@ -79,8 +94,13 @@ StepId last_step_of_fragment(const Recording& recording, std::uint32_t fragment)
 
 StepId last_step_of_triangle(const Recording& recording, std::uint32_t triangle) {
     HS_CHECK(triangle < recording.triangles.size(), "a triangle of this recording");
-    const bool last = triangle + 1 == recording.triangles.size();
-    return (last ? recording.first_resolve_step : recording.triangles[triangle + 1].first_step) - 1;
+    return last_step_of_draw(recording, recording.triangles[triangle].last_draw);
+}
+
+StepId last_step_of_draw(const Recording& recording, std::uint32_t draw) {
+    HS_CHECK(draw < recording.draw_steps.size(), "a draw of this recording");
+    const bool last = draw + 1 == recording.draw_steps.size();
+    return (last ? recording.first_resolve_step : recording.draw_steps[draw + 1]) - 1;
 }
 
 } // namespace hs::trace

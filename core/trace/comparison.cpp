@@ -1,6 +1,6 @@
 #include "core/trace/comparison.hpp"
 
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 
 namespace hs::trace {
 namespace {

@@ -1,9 +1,12 @@
 #include "core/trace/detail.hpp"
 
 #include "core/base/check.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/run_draw.hpp"
 #include "core/trace/past_pixels.hpp"
 #include "core/trace/player.hpp"
+
+#include <algorithm>
+#include <utility>
 
 namespace hs::trace {
 namespace {
@@ -15,6 +18,7 @@ public:
 
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
+    void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>& codes) { triangle_.outcodes = codes; }
     void clipped(
         geometry::ClipPlane plane,
@@ -23,7 +27,8 @@ public:
     ) {
         triangle_.passes.push_back({plane, before, after});
     }
-    void piece_begin(int) { triangle_.pieces.emplace_back(); }
+    /// Pieces that clipping left none of are empty.
+    void piece_begin(int piece) { triangle_.pieces.resize(static_cast<std::size_t>(piece) + 1); }
     void divided(const std::array<geometry::WindowVertex, 3>& window) {
         triangle_.pieces.back().window = window;
     }
@@ -217,15 +222,29 @@ LitPoint lit_fragment(const pipeline::DrawCall& call, const math::Varyings& vary
     return light(call, shading::surface_at(call.vertex.shading, varyings, color));
 }
 
-} // namespace
-
-namespace {
-
 ResolveDetail resolve_detail(const Recording& recording, PixelPos pixel) {
     ResolveDetail detail;
     detail.samples = recording.samples.after(recording.final_pixels[pixel].last_fragment);
     detail.resolved = framebuffer::resolve(detail.samples, recording.settings().color_format);
     return detail;
+}
+
+/// Runs draws of one triangle up to setup; clipping and outcodes shown are those of the last.
+void run_geometry(
+    const Recording& recording,
+    const std::vector<std::uint32_t>& draws,
+    TriangleDetail& detail,
+    TriangleTrace& trace
+) {
+    const std::uint32_t no_one = no_fragment;
+    PastPixels pixels(recording, no_one);
+    const pipeline::DrawOrder& order = recording.order;
+    for (const std::uint32_t draw : draws) {
+        detail.passes.clear();
+        pipeline::run_draw(
+            *recording.frame, order, order.draws[draw], geometry_only, pixels, trace
+        );
+    }
 }
 
 } // namespace
@@ -248,12 +267,9 @@ VertexDetail vertex_detail(const Recording& recording, std::uint32_t object, std
 TriangleDetail
 triangle_detail(const Recording& recording, std::uint32_t object, std::uint32_t triangle) {
     TriangleDetail detail = empty_triangle_detail(recording, object, triangle);
-    const std::uint32_t no_one = no_fragment;
-    PastPixels pixels(recording, no_one);
+    const std::uint32_t frame_triangle = recording.objects[object].first_triangle + triangle;
     TriangleTrace trace(detail);
-    pipeline::draw_triangle(
-        recording.frame->calls()[object], triangle, geometry_only, pixels, trace
-    );
+    run_geometry(recording, recording.draws_of_triangle(frame_triangle), detail, trace);
     return detail;
 }
 
@@ -262,6 +278,9 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
     if (step.in_vertex_stage()) {
         detail.vertex = vertex_detail(recording, step.object, step.vertex);
         return detail;
+    }
+    if (step.kind == StepKind::order) {
+        detail.order = order_detail(recording, step.event);
     }
     if (step.kind == StepKind::resolve) {
         detail.resolve = resolve_detail(recording, step.pixel);
@@ -280,15 +299,27 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
     if (step.in_unit() || step.kind == StepKind::edge_table) {
         detail.traversal.emplace();
     }
+    const std::uint32_t own = recording.draw_of_step(step.id);
+    const std::vector<std::uint32_t> draws =
+        recording.draws_of_triangle(recording.objects[step.object].first_triangle + step.triangle);
+    const auto position = std::find(draws.begin(), draws.end(), own);
+    TriangleTrace parts(*detail.triangle);
+    run_geometry(recording, {draws.begin(), position}, *detail.triangle, parts);
+    detail.triangle->passes.clear();
     PastPixels pixels(recording, step.fragment);
     StepTrace trace(detail, step, recording.settings().color_format);
-    pipeline::draw_triangle(
-        recording.frame->calls()[step.object],
-        step.triangle,
+    pipeline::run_draw(
+        *recording.frame,
+        recording.order,
+        recording.order.draws[own],
         step.in_unit() ? scope_of(step) : geometry_only,
         pixels,
         trace
     );
+    TriangleDetail later = *detail.triangle;
+    TriangleTrace later_parts(later);
+    run_geometry(recording, {position + 1, draws.end()}, later, later_parts);
+    detail.triangle->pieces = std::move(later.pieces);
 
     if (detail.fragment && detail.fragment->shaded && detail.fragment->shaded->terms) {
         detail.fragment->lit =

@@ -4,6 +4,7 @@
 
 #include "core/geometry/eye_facing.hpp"
 #include "core/pipeline/narration.hpp"
+#include "core/trace/order_detail.hpp"
 #include "core/trace/recording.hpp"
 #include "core/trace/sample_detail.hpp"
 
@@ -98,6 +99,7 @@ struct ResolveDetail {
 /// What stands behind one step; the parts that its kind has.
 struct StepDetail {
     std::optional<VertexDetail> vertex;
+    std::optional<OrderDetail> order;
     std::optional<TriangleDetail> triangle;
     std::optional<TraversalDetail> traversal; ///< steps in a traversal
     std::optional<VisitDetail> visit;

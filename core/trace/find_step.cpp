@@ -30,7 +30,10 @@ struct PathParts {
     std::optional<PixelPos> fragment;
     std::optional<int> sample;
     std::optional<StepKind> operation;
+    std::optional<visibility::OrderEventKind> decision;
+    std::optional<std::uint64_t> ordinal; ///< among decisions of its kind
     bool vertex_stage = false;
+    bool ordering = false;
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -85,10 +88,33 @@ bool parse_tile(std::string_view rest, PathParts& parts) {
     return parts.tile && (parts.tile_size || size == std::string_view::npos);
 }
 
+/// "comparison 17": the words of a decision and how many came before it.
+bool parse_decision(std::string_view part, PathParts& parts) {
+    const std::size_t space = part.rfind(' ');
+    if (space == std::string_view::npos) {
+        return false;
+    }
+    const auto kind = parse_name<visibility::OrderEventKind>(trimmed(part.substr(0, space)));
+    const auto ordinal = parse_number<std::uint64_t>(part.substr(space + 1));
+    if (!kind || !ordinal) {
+        return false;
+    }
+    parts.decision = kind;
+    parts.ordinal = ordinal;
+    return true;
+}
+
 /// Reads one part into `parts`; false when it is not understood.
 bool parse_part(std::string_view part, PathParts& parts) {
     if (part == "vertex stage") {
         parts.vertex_stage = true;
+        return true;
+    }
+    if (part == "visibility") {
+        parts.ordering = true;
+        return true;
+    }
+    if (parse_decision(part, parts)) {
         return true;
     }
     if (const auto operation = parse_operation(part)) {
@@ -135,7 +161,7 @@ Diagnostic no_step(std::string message) {
 
 Result<StepId> find_vertex_step(const Recording& recording, const PathParts& parts) {
     if (!parts.object) {
-        return recording.first_triangle_step - 1;
+        return recording.first_order_step - 1;
     }
     const ObjectRange& object = recording.objects[*parts.object];
     const auto steps = static_cast<StepId>(object.steps_per_vertex);
@@ -184,6 +210,34 @@ Result<StepId> find_resolve_step(const Recording& recording, const PathParts& pa
     }
     const auto row = static_cast<StepId>(p.y) * static_cast<StepId>(recording.width());
     return recording.first_resolve_step + row + static_cast<StepId>(p.x);
+}
+
+Result<StepId> find_order_step(const Recording& recording, const PathParts& parts) {
+    if (recording.first_order_step == recording.first_triangle_step) {
+        return no_step(fmt::format(
+            "visibility \"{}\" orders nothing; triangles are drawn in file order",
+            name_of(recording.settings().visibility)
+        ));
+    }
+    if (!parts.decision) {
+        return recording.first_triangle_step - 1;
+    }
+    const std::string_view words = name_of(*parts.decision);
+    const auto found = recording.decisions.find(*parts.decision, *parts.ordinal);
+    if (found) {
+        return recording.first_order_step + *found;
+    }
+    const OrderCounts all = recording.decisions.counts_before(recording.decisions.size());
+    const std::uint64_t count = all[static_cast<std::size_t>(*parts.decision)];
+    if (count == 0) {
+        return no_step(fmt::format("the ordering has no step '{}'", words));
+    }
+    return no_step(fmt::format(
+        "the ordering has no {} {}; its steps of that name are 0 to {}",
+        words,
+        *parts.ordinal,
+        count - 1
+    ));
 }
 
 /// Whether a step of the wanted triangle is, or belongs to, what the path names.
@@ -240,17 +294,11 @@ std::string describe_missing(const PathParts& parts, std::uint32_t object, std::
     return fmt::format("object {} / triangle {} has no such step", object, triangle);
 }
 
-/// The last step of the triangle that matches, searched stretch by stretch from its end.
-Result<StepId> find_triangle_step(const Recording& recording, const PathParts& parts) {
-    const ObjectRange& object = recording.objects[*parts.object];
-    const std::uint32_t frame_triangle = object.first_triangle + *parts.triangle;
-    const StepId first = recording.triangles[frame_triangle].first_step;
-    const StepId last = last_step_of_triangle(recording, frame_triangle);
-    const bool whole = !parts.piece && !parts.plane && !parts.tile && !parts.scanline &&
-                       !parts.visit && !parts.fragment && !parts.sample && !parts.operation;
-    if (whole) {
-        return last;
-    }
+/// The last step of a draw that matches, searched stretch by stretch from its end.
+std::optional<StepId>
+find_draw_step(const Recording& recording, const PathParts& parts, std::uint32_t draw) {
+    const StepId first = recording.draw_steps[draw];
+    const StepId last = last_step_of_draw(recording, draw);
     for (std::size_t entry = index_entry_of_step(recording, last);; --entry) {
         const Outline window = outline(recording, entry);
         const auto step =
@@ -261,12 +309,33 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
             return step->id;
         }
         if (window.first_step <= first) {
-            return no_step(describe_missing(parts, *parts.object, *parts.triangle));
+            return std::nullopt;
         }
     }
 }
 
+/// The last step of the triangle that matches.
+Result<StepId> find_triangle_step(const Recording& recording, const PathParts& parts) {
+    const ObjectRange& object = recording.objects[*parts.object];
+    const std::uint32_t frame_triangle = object.first_triangle + *parts.triangle;
+    const bool whole = !parts.piece && !parts.plane && !parts.tile && !parts.scanline &&
+                       !parts.visit && !parts.fragment && !parts.operation;
+    if (whole) {
+        return last_step_of_triangle(recording, frame_triangle);
+    }
+    const std::vector<std::uint32_t> draws = recording.draws_of_triangle(frame_triangle);
+    for (auto draw = draws.rbegin(); draw != draws.rend(); ++draw) {
+        if (const std::optional<StepId> found = find_draw_step(recording, parts, *draw)) {
+            return *found;
+        }
+    }
+    return no_step(describe_missing(parts, *parts.object, *parts.triangle));
+}
+
 Result<StepId> find_parts(const Recording& recording, PathParts parts) {
+    if (parts.ordering || parts.decision || parts.operation == StepKind::order) {
+        return find_order_step(recording, parts);
+    }
     if (parts.operation == StepKind::resolve) {
         return find_resolve_step(recording, parts);
     }

@@ -7,6 +7,7 @@
 #include "core/trace/player.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace hs::trace {
 namespace {
@@ -37,6 +38,7 @@ StepId fallback(const Recording& recording, Direction direction) {
 
 StepId stage_target(const Recording& recording, StepId from, Direction direction) {
     Nearest nearest(from, direction, fallback(recording, direction));
+    nearest.offer(recording.first_order_step - 1);
     nearest.offer(recording.first_triangle_step - 1);
     nearest.offer(recording.first_resolve_step - 1);
     nearest.offer(recording.end_step - 1);
@@ -45,6 +47,7 @@ StepId stage_target(const Recording& recording, StepId from, Direction direction
 
 StepId object_target(const Recording& recording, StepId from, Direction direction) {
     Nearest nearest(from, direction, fallback(recording, direction));
+    nearest.offer(recording.first_triangle_step - 1);
     for (const ObjectRange& object : recording.objects) {
         if (object.vertex_count > 0) {
             nearest.offer(
@@ -53,9 +56,7 @@ StepId object_target(const Recording& recording, StepId from, Direction directio
             );
         }
         if (object.triangle_count > 0) {
-            nearest.offer(
-                last_step_of_triangle(recording, object.first_triangle + object.triangle_count - 1)
-            );
+            nearest.offer(last_step_of_draw(recording, object.last_draw));
         }
     }
     return nearest.best();
@@ -78,22 +79,31 @@ void offer_vertices(const Recording& recording, StepId from, Nearest& nearest) {
     }
 }
 
+/// The decisions of a kind before and after a step.
+void offer_decisions(
+    const Recording& recording, StepId from, visibility::OrderEventKind kind, Nearest& nearest
+) {
+    const StepId inside =
+        std::clamp(from, recording.first_order_step, recording.first_triangle_step);
+    const OrderCounts before =
+        recording.decisions.counts_before(inside - recording.first_order_step);
+    const std::uint64_t ordinal = before[static_cast<std::size_t>(kind)];
+    for (std::uint64_t i = ordinal - std::min<std::uint64_t>(ordinal, 1); i <= ordinal + 1; ++i) {
+        if (const std::optional<std::size_t> found = recording.decisions.find(kind, i)) {
+            nearest.offer(recording.first_order_step + *found);
+        }
+    }
+}
+
 StepId triangle_target(const Recording& recording, StepId from, Direction direction) {
     Nearest nearest(from, direction, fallback(recording, direction));
     offer_vertices(recording, from, nearest);
-    if (recording.triangles.empty()) {
-        return nearest.best();
-    }
-    const auto after = std::upper_bound(
-        recording.triangles.begin(),
-        recording.triangles.end(),
-        from,
-        [](StepId s, const TriangleRecord& triangle) { return s < triangle.first_step; }
-    );
-    const std::int64_t index = after - recording.triangles.begin();
-    for (std::int64_t t = index - 2; t <= index; ++t) {
-        if (t >= 0 && t < static_cast<std::int64_t>(recording.triangles.size())) {
-            nearest.offer(last_step_of_triangle(recording, static_cast<std::uint32_t>(t)));
+    offer_decisions(recording, from, visibility::OrderEventKind::emit, nearest);
+    const std::vector<StepId>& draws = recording.draw_steps;
+    const std::int64_t index = std::upper_bound(draws.begin(), draws.end(), from) - draws.begin();
+    for (std::int64_t d = index - 2; d <= index; ++d) {
+        if (d >= 0 && d < static_cast<std::int64_t>(draws.size())) {
+            nearest.offer(last_step_of_draw(recording, static_cast<std::uint32_t>(d)));
         }
     }
     return nearest.best();
@@ -215,10 +225,30 @@ std::uint64_t traversed(const Counters& counters) {
     return counters.traversal.pixels + counters.traversal.tiles + counters.scan_steps;
 }
 
+/// The end of a unit of a traversal, or the beginning of an iteration of an ordering.
+StepId unit_target(const Recording& recording, StepId from, Direction direction) {
+    const StepId none = fallback(recording, direction);
+    Nearest nearest(from, direction, none);
+    offer_decisions(recording, from, visibility::OrderEventKind::iteration, nearest);
+    nearest.offer(search_stretches(recording, from, direction, none, traversed, offer_units));
+    return nearest.best();
+}
+
+/// The nearest step within [first, last), for stages that come as a whole.
+std::optional<StepId> step_within(StepId first, StepId last, StepId from, Direction direction) {
+    const bool forward = direction == Direction::forward;
+    if (forward ? from + 1 >= last : from <= first) {
+        return std::nullopt;
+    }
+    const StepId goal = forward ? std::max(from + 1, first) : std::min(from, last) - 1;
+    return goal >= first && goal < last ? std::optional{goal} : std::nullopt;
+}
+
 std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
     switch (stage) {
     case Stage::application:
-    case Stage::vertex: return counters.vertices;
+    case Stage::vertex:
+    case Stage::visibility: return counters.vertices; // found by their ranges of steps
     case Stage::clip: return counters.triangles;
     case Stage::divide: return counters.pieces;
     case Stage::viewport: return counters.pieces_mapped;
@@ -256,10 +286,7 @@ StepId Player::target(Granularity granularity, Direction direction) const {
     case Granularity::stage: return stage_target(recording, step(), direction);
     case Granularity::object: return object_target(recording, step(), direction);
     case Granularity::triangle: return triangle_target(recording, step(), direction);
-    case Granularity::scanline:
-        return search_stretches(
-            recording, step(), direction, fallback(recording, direction), traversed, offer_units
-        );
+    case Granularity::scanline: return unit_target(recording, step(), direction);
     case Granularity::fragment: return fragment_target(*this, direction);
     case Granularity::operation:
         if (direction == Direction::forward) {
@@ -277,10 +304,12 @@ std::optional<StepId> Player::find_stage(Stage stage, Direction direction) const
         return forward || step() == 0 ? std::nullopt : std::optional<StepId>{0};
     }
     if (stage == Stage::vertex) {
-        const StepId last = recording_->first_triangle_step - 1;
-        const StepId goal = forward ? step() + 1 : std::min(step(), last + 1) - 1;
-        const bool exists = goal >= 1 && goal <= last && (forward || step() > 0);
-        return exists ? std::optional<StepId>{goal} : std::nullopt;
+        return step_within(1, recording_->first_order_step, step(), direction);
+    }
+    if (stage == Stage::visibility) {
+        return step_within(
+            recording_->first_order_step, recording_->first_triangle_step, step(), direction
+        );
     }
     const StepId none = fallback(*recording_, direction);
     const StepId found = search_stretches(

@@ -1,7 +1,7 @@
 #include "core/trace/outline.hpp"
 
 #include "core/base/check.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/run_draw.hpp"
 #include "core/trace/past_pixels.hpp"
 
 #include <algorithm>
@@ -30,6 +30,10 @@ public:
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
         at_ = {.id = at_.id, .object = object, .triangle = triangle};
     }
+    void part_begin(int first_piece) {
+        at_.part = true;
+        at_.piece = first_piece;
+    }
     void outcodes(const std::array<geometry::Outcode, 3>&) { add(StepKind::outcodes); }
     void
     clipped(geometry::ClipPlane plane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {
@@ -43,6 +47,7 @@ public:
             .id = at_.id,
             .object = at_.object,
             .triangle = at_.triangle,
+            .part = at_.part,
             .clipped = at_.clipped,
             .piece = piece};
     }
@@ -148,11 +153,10 @@ private:
 static_assert(pipeline::TraceSink<OutlineTrace>);
 static_assert(framebuffer::PixelTarget<PastPixels>);
 
-/// Where a stretch stops: at the next index entry, or after the last triangle.
+/// Where a stretch stops: at the next index entry, or after the last draw.
 struct Stop {
     StepId step;
-    std::uint32_t object;
-    std::uint32_t triangle; ///< the first not fully run
+    std::uint32_t draw; ///< the first not fully run
     std::int32_t piece;
     std::int32_t unit;
 };
@@ -160,12 +164,11 @@ struct Stop {
 Stop stop_after(const Recording& recording, std::size_t entry) {
     if (entry + 1 < recording.index.size()) {
         const IndexEntry& next = recording.index[entry + 1];
-        return {next.step, next.object, next.triangle, next.piece, next.unit};
+        return {next.step, next.draw, next.piece, next.unit};
     }
     return {
         recording.first_resolve_step,
-        static_cast<std::uint32_t>(recording.objects.size()),
-        0,
+        static_cast<std::uint32_t>(recording.order.draws.size()),
         0,
         -1};
 }
@@ -195,27 +198,24 @@ Outline outline(const Recording& recording, std::size_t entry) {
     OutlineTrace trace(recording, result, from, stop.step);
     PastPixels pixels(recording, trace.fragment());
 
-    for (std::uint32_t object = from.object; object < recording.objects.size(); ++object) {
-        const pipeline::DrawCall& call = recording.frame->calls()[object];
-        const std::uint32_t first = object == from.object ? from.triangle : 0;
-        for (std::uint32_t i = first; i < recording.objects[object].triangle_count; ++i) {
-            const bool last = object == stop.object && i == stop.triangle;
-            if (last && stop.unit < 0) {
-                return result;
-            }
-            pipeline::TriangleScope scope;
-            if (object == from.object && i == from.triangle && from.unit >= 0) {
-                scope.first_piece = from.piece;
-                scope.first_unit = from.unit;
-            }
-            if (last) {
-                scope.last_piece = stop.piece;
-                scope.last_unit = stop.unit;
-            }
-            pipeline::draw_triangle(call, i, scope, pixels, trace);
-            if (last) {
-                return result;
-            }
+    const std::vector<pipeline::Draw>& draws = recording.order.draws;
+    for (std::uint32_t i = from.draw; i < draws.size(); ++i) {
+        const bool last = i == stop.draw;
+        if (last && stop.unit < 0) {
+            return result;
+        }
+        pipeline::TriangleScope scope;
+        if (i == from.draw && from.unit >= 0) {
+            scope.first_piece = from.piece;
+            scope.first_unit = from.unit;
+        }
+        if (last) {
+            scope.last_piece = stop.piece;
+            scope.last_unit = stop.unit;
+        }
+        pipeline::run_draw(*recording.frame, recording.order, draws[i], scope, pixels, trace);
+        if (last) {
+            return result;
         }
     }
     return result;

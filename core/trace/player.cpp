@@ -138,6 +138,8 @@ Counters Player::counters() const {
             const StepId begun = (step() - object.first_vertex_step) / per_vertex + 1;
             counters.vertices += std::min<StepId>(begun, object.vertex_count);
         }
+        const StepId decided = step() + 1 - std::min(step() + 1, recording_->first_order_step);
+        counters.decisions = recording_->decisions.counts_before(decided);
         return counters;
     }
     const std::size_t entry = index_entry_of_step(*recording_, step());

@@ -102,8 +102,11 @@ Step describe_step(const Recording& recording, StepId step);
 /// The step a fragment ends with.
 StepId last_step_of_fragment(const Recording& recording, std::uint32_t fragment);
 
-/// The last step of a triangle (frame-wide number).
+/// The last step of a triangle (frame-wide number); of a split one, of its part drawn last.
 StepId last_step_of_triangle(const Recording& recording, std::uint32_t triangle);
+
+/// The last step of something in the order of draws.
+StepId last_step_of_draw(const Recording& recording, std::uint32_t draw);
 
 /// Finds the step a written path names: `#184467`, `start`, `end`, or words and numbers in any
 /// order. A path that stops early means "after its last child". Errors say which part does not

@@ -1,6 +1,6 @@
 // Recording a frame: the pipeline draws into pixels that know their owner, and a sink keeps the
 // facts.
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 #include "core/trace/recording.hpp"
 #include "core/trace/tally.hpp"
 
@@ -94,21 +94,33 @@ public:
         ++counters_.vertices;
     }
 
+    template <typename State>
+    void order_step(const visibility::OrderEvent& event, const State&) {
+        ++step_;
+        ++counters_.decisions[static_cast<std::size_t>(event.kind)];
+        recording_.decisions.add(event);
+    }
+
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
         if (object != object_) {
             keep_between_objects();
         }
         object_ = object;
-        triangle_ = triangle;
+        draw_ = static_cast<std::uint32_t>(recording_.draw_steps.size());
         frame_triangle_ = recording_.objects[object].first_triangle + triangle;
         piece_ = 0;
         clipped_ = false;
         depth_format_ = recording_.frame->calls()[object].settings.depth_format;
-        recording_.triangles[frame_triangle_].first_step = step_;
+        recording_.draw_steps.push_back(step_);
+        recording_.objects[object].last_draw = draw_;
+        TriangleRecord& record = recording_.triangles[frame_triangle_];
+        record.last_draw = draw_;
+        record.first_step = record.first_step == 0 ? step_ : record.first_step;
         if (recording_.index.empty() || step_ - recording_.index.back().step >= index_spacing) {
             add_index_entry(-1);
         }
     }
+    void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) { step(StepKind::outcodes); }
     void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {
         step(StepKind::clip_plane, true, !std::exchange(clipped_, true));
@@ -208,12 +220,16 @@ public:
     }
     void triangle_end(geometry::TriangleVerdict verdict, geometry::Outcode crossed) {
         TriangleRecord& record = recording_.triangles[frame_triangle_];
-        record.verdict = verdict;
-        record.crossed = crossed;
+        const bool first = record.first_step == recording_.draw_steps.back(); // of its parts
+        const unsigned planes = record.crossed | crossed;
+        record.verdict = first ? verdict : pipeline::stronger(record.verdict, verdict);
+        record.crossed = static_cast<geometry::Outcode>(planes);
     }
 
     /// After the vertex stage.
-    void vertex_stage_end() { recording_.first_triangle_step = step_; }
+    void vertex_stage_end() { recording_.first_order_step = step_; }
+    /// After the ordering.
+    void order_end() { recording_.first_triangle_step = step_; }
     /// After the last triangle: every pixel is resolved, if it has several samples.
     void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {
         step(StepKind::resolve);
@@ -235,8 +251,7 @@ private:
         recording_.index.push_back(
             {.step = step_,
              .fragment = fragments,
-             .object = object_,
-             .triangle = triangle_,
+             .draw = draw_,
              .piece = piece_,
              .unit = unit,
              .before = counters_}
@@ -280,7 +295,7 @@ private:
     std::uint32_t spacing_;
     std::uint32_t last_checkpoint_ = 0;
     std::uint32_t object_ = 0;
-    std::uint32_t triangle_ = 0;
+    std::uint32_t draw_ = 0;
     std::uint32_t frame_triangle_ = 0;
     int piece_ = 0;
     bool clipped_ = false;
@@ -294,6 +309,8 @@ private:
     float depth_ = 0.0F;
 };
 static_assert(pipeline::TraceSink<FactsTrace>);
+static_assert(pipeline::AnyOrderSink<FactsTrace>);
+static_assert(framebuffer::PixelTarget<RecordedPixels>);
 static_assert(framebuffer::SampleTarget<RecordedPixels>);
 
 /// Lays out the frame-wide tables: who starts where.
@@ -305,7 +322,7 @@ void number_objects(Recording& recording) {
         const auto vertices = static_cast<std::uint32_t>(call.vertex.mesh->positions.size());
         const auto triangles = static_cast<std::uint32_t>(call.triangles().size());
         const int steps = pipeline::steps_per_vertex(call.settings.shading);
-        recording.objects.push_back({vertex, vertices, triangle, triangles, step, steps});
+        recording.objects.push_back({vertex, vertices, triangle, triangles, step, steps, 0});
         step += StepId{vertices} * static_cast<StepId>(steps);
         vertex += vertices;
         triangle += triangles;
@@ -314,8 +331,8 @@ void number_objects(Recording& recording) {
     recording.runs.reserve(triangle);
 }
 
-/// Draws every triangle, asking now and then whether to go on. False: stopped, or out of fragment
-/// numbers.
+/// Draws everything in its order, asking now and then whether to go on. False: stopped, or out of
+/// fragment numbers.
 enum class Outcome : std::uint8_t {
     complete,
     stopped,
@@ -325,21 +342,17 @@ enum class Outcome : std::uint8_t {
 Outcome draw_triangles(
     Recording& recording, RecordedPixels& pixels, FactsTrace& facts, const RecordOptions& options
 ) {
-    constexpr std::uint32_t between_questions = 4096; // triangles
+    constexpr std::size_t between_questions = 4096; // draws
     constexpr std::size_t most_fragments = std::size_t{1} << 31U;
-    std::uint32_t done = 0;
-    for (const pipeline::DrawCall& call : recording.frame->calls()) {
-        for (std::uint32_t i = 0; i < call.triangles().size(); ++i, ++done) {
-            if (done % between_questions == 0 && options.progress &&
-                !options.progress(
-                    static_cast<double>(done) / static_cast<double>(recording.triangles.size())
-                )) {
-                return Outcome::stopped;
-            }
-            pipeline::draw_triangle(call, i, {}, pixels, facts);
-            if (recording.fragments.size() > most_fragments) {
-                return Outcome::too_many_fragments;
-            }
+    const pipeline::DrawOrder& order = recording.order;
+    for (std::size_t i = 0; i < order.draws.size(); ++i) {
+        if (i % between_questions == 0 && options.progress &&
+            !options.progress(static_cast<double>(i) / static_cast<double>(order.draws.size()))) {
+            return Outcome::stopped;
+        }
+        pipeline::run_draw(*recording.frame, order, order.draws[i], {}, pixels, facts);
+        if (recording.fragments.size() > most_fragments) {
+            return Outcome::too_many_fragments;
         }
     }
     return Outcome::complete;
@@ -353,7 +366,7 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
     const scene::Scene& source = recording->scene();
     number_objects(*recording);
 
-    // Vertex stage of every object, then every triangle in file order
+    // Vertex stage of every object, the order of triangles, then every triangle
     recording->samples = SampleLog(source.settings);
     RecordedPixels pixels(source.settings, recording->samples);
     FactsTrace facts(*recording, pixels, options);
@@ -361,6 +374,9 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
         pipeline::run_vertex_stage(call, facts, options.threads);
     }
     facts.vertex_stage_end();
+    recording->order = pipeline::order_triangles(*recording->frame, facts);
+    recording->draw_steps.reserve(recording->order.draws.size());
+    facts.order_end();
     const Outcome outcome = draw_triangles(*recording, pixels, facts, options);
     if (outcome == Outcome::stopped) {
         return Diagnostic{.file = source.file, .message = "recording was stopped"};

@@ -19,6 +19,25 @@ std::uint32_t Recording::object_of_triangle(std::uint32_t triangle) const {
     return static_cast<std::uint32_t>(after - objects.begin()) - 1;
 }
 
+std::vector<std::uint32_t> Recording::draws_of_triangle(std::uint32_t triangle) const {
+    if (order.parts.empty()) {
+        return {triangles[triangle].last_draw};
+    }
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i <= triangles[triangle].last_draw; ++i) {
+        if (triangle_of_draw(order.draws[i]) == triangle) {
+            found.push_back(i);
+        }
+    }
+    return found;
+}
+
+std::uint32_t Recording::draw_of_step(StepId step) const {
+    HS_DCHECK(step >= first_triangle_step && step < end_step, "a step of the triangle stages");
+    const auto after = std::upper_bound(draw_steps.begin(), draw_steps.end(), step);
+    return static_cast<std::uint32_t>(after - draw_steps.begin()) - 1;
+}
+
 const Run& Recording::run_of_fragment(std::uint32_t fragment) const {
     HS_DCHECK(fragment < fragments.size(), "a fragment of this frame");
     const auto after =
@@ -31,6 +50,10 @@ const Run& Recording::run_of_fragment(std::uint32_t fragment) const {
 std::size_t Recording::bytes() const {
     std::size_t total = fragments.bytes() + color32f.bytes() + samples.bytes();
     total += triangles.capacity() * sizeof(TriangleRecord);
+    total += order.draws.capacity() * (sizeof(pipeline::Draw) + sizeof(StepId));
+    total += order.parts.capacity() * sizeof(pipeline::TrianglePart);
+    total += order.polygons.capacity() * sizeof(pipeline::OrderedPolygon);
+    total += decisions.size() == 0 ? 0 : decisions.bytes();
     total += runs.capacity() * sizeof(Run) + index.capacity() * sizeof(IndexEntry);
     std::vector<const PixelBuffer*> buffers{&final_pixels};
     for (const Checkpoint& checkpoint : checkpoints) {

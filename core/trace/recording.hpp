@@ -10,10 +10,12 @@
 #include "core/base/parallel.hpp"
 #include "core/fragment/fate.hpp"
 #include "core/geometry/facing.hpp"
+#include "core/pipeline/draw_order.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/raster/cost.hpp"
 #include "core/raster/sample_pattern.hpp"
 #include "core/trace/chunked.hpp"
+#include "core/trace/order_log.hpp"
 #include "core/trace/pixel_buffer.hpp"
 #include "core/trace/sample_log.hpp"
 #include "core/trace/step.hpp"
@@ -56,7 +58,8 @@ struct Run {
 /// What has happened up to a step.
 struct Counters {
     std::uint64_t vertices = 0;      ///< through the vertex stage
-    std::uint64_t triangles = 0;     ///< that entered clipping
+    OrderCounts decisions{};         ///< of the ordering algorithm, by kind
+    std::uint64_t triangles = 0;     ///< that entered clipping, or parts of split ones
     std::uint64_t clipped = 0;       ///< of those, crossing at least one plane
     std::uint64_t pieces = 0;        ///< triangles after clipping, divided
     std::uint64_t pieces_mapped = 0; ///< that reached the window
@@ -71,14 +74,13 @@ struct Counters {
     friend bool operator==(const Counters&, const Counters&) = default;
 };
 
-/// A place to start a re-run from: the beginning of a triangle, or of a unit inside one.
+/// A place to start a re-run from: the beginning of a draw, or of a unit inside one.
 struct IndexEntry {
     StepId step = 0;            ///< the first step of what follows
     std::uint32_t fragment = 0; ///< the first fragment of what follows
-    std::uint32_t object = 0;
-    std::uint32_t triangle = 0; ///< of the object
+    std::uint32_t draw = 0;     ///< index into the order of draws
     std::int32_t piece = 0;
-    std::int32_t unit = -1; ///< −1: the triangle's beginning
+    std::int32_t unit = -1; ///< −1: the draw's beginning
     Counters before;
 };
 
@@ -96,10 +98,12 @@ struct ObjectRange {
     std::uint32_t triangle_count = 0;
     StepId first_vertex_step = 0; ///< of its vertex stage
     int steps_per_vertex = 3;
+    std::uint32_t last_draw = 0; ///< after it the object is finished; meaningless without triangles
 };
 
 struct TriangleRecord {
-    StepId first_step = 0; ///< its outcodes
+    StepId first_step = 0; ///< its outcodes; of a split triangle those of the part drawn first
+    std::uint32_t last_draw = 0; ///< index into the order of draws
     geometry::TriangleVerdict verdict = geometry::TriangleVerdict::drawn;
     geometry::Outcode crossed = 0; ///< planes some vertex is outside of
 };
@@ -109,6 +113,9 @@ struct Recording {
     std::shared_ptr<pipeline::Frame> frame; ///< with shaded vertices
     std::vector<ObjectRange> objects;
     std::vector<TriangleRecord> triangles; ///< over the whole frame, in file order
+    OrderLog decisions;                    ///< of the ordering algorithm, if there is one
+    pipeline::DrawOrder order;             ///< what is drawn when
+    std::vector<StepId> draw_steps;        ///< the first step of each draw
     Chunked<FragmentRecord> fragments;
     Chunked<glm::vec4> color32f; ///< per fragment, rgba32f frames only
     SampleLog samples;           ///< per fragment, frames with several samples a pixel only
@@ -119,7 +126,8 @@ struct Recording {
         checkpoints; ///< by fragments; the cleared framebuffer is not kept, it is made
     PixelBuffer final_pixels;
     Counters counters;              ///< of the whole frame
-    StepId first_triangle_step = 0; ///< the step after the vertex stage
+    StepId first_order_step = 0;    ///< the step after the vertex stage
+    StepId first_triangle_step = 0; ///< the step after the ordering, which may have none
     StepId first_resolve_step = 0;  ///< the step after the last triangle's: a resolve, or `end`
     StepId end_step = 0;            ///< the number of the last step, `end`
     double seconds = 0.0;           ///< how long recording took, for the introspection panel
@@ -134,6 +142,13 @@ struct Recording {
     [[nodiscard]] int height() const { return settings().height; }
     /// Frame-wide triangle number to object and its own number. Precondition: in range.
     [[nodiscard]] std::uint32_t object_of_triangle(std::uint32_t triangle) const;
+    [[nodiscard]] std::uint32_t triangle_of_draw(const pipeline::Draw& draw) const {
+        return objects[draw.object].first_triangle + draw.triangle;
+    }
+    /// All draws of a triangle, in execution order: one, or one per part.
+    [[nodiscard]] std::vector<std::uint32_t> draws_of_triangle(std::uint32_t triangle) const;
+    /// The draw a step of the triangle stages belongs to.
+    [[nodiscard]] std::uint32_t draw_of_step(StepId step) const;
     /// The run a fragment belongs to.
     [[nodiscard]] const Run& run_of_fragment(std::uint32_t fragment) const;
     /// What the facts take in memory, without scene and shaded vertices.

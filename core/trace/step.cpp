@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 25> table{{
+    static constexpr std::array<Named<StepKind>, 26> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -15,6 +15,7 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
          "clip space",
          "the projection matrix takes the vertex to clip space"},
         {StepKind::vertex_light, "light", "the vertex is lit"},
+        {StepKind::order, "order", "an ordering algorithm decides something about two polygons"},
         {StepKind::outcodes, "outcodes", "each vertex is held against every clip plane"},
         {StepKind::clip_plane, "clip", "the polygon is cut by one plane"},
         {StepKind::divide, "divide", "clip coordinates are divided by w"},
@@ -55,6 +56,9 @@ std::span<const Named<trace::Stage>> names<trace::Stage>() {
     static constexpr std::array<Named<Stage>, trace::stage_count> table{{
         {Stage::application, "application", "the scene is handed over and the framebuffer cleared"},
         {Stage::vertex, "vertex", "every vertex goes from object space to clip space"},
+        {Stage::visibility,
+         "visibility",
+         "triangles are put into the order in which they are drawn"},
         {Stage::clip, "clip", "triangles are cut at the view volume"},
         {Stage::divide, "divide", "clip coordinates are divided by w"},
         {Stage::viewport, "viewport", "NDC become snapped window coordinates"},
@@ -72,10 +76,14 @@ template <>
 std::span<const Named<trace::Granularity>> names<trace::Granularity>() {
     using trace::Granularity;
     static constexpr std::array<Named<Granularity>, 6> table{{
-        {Granularity::stage, "stage", "all vertices, then all triangles"},
+        {Granularity::stage, "stage", "all vertices, then their order, then all triangles"},
         {Granularity::object, "object", "one object's vertices, or its triangles"},
-        {Granularity::triangle, "triangle", "one triangle (in the vertex stage: one vertex)"},
-        {Granularity::scanline, "scanline", "one row of a triangle's traversal, or one tile"},
+        {Granularity::triangle,
+         "triangle",
+         "one triangle (in the vertex stage: one vertex; in ordering: the next in the order)"},
+        {Granularity::scanline,
+         "scanline",
+         "one row of a triangle's traversal, or one tile (in ordering: one iteration)"},
         {Granularity::fragment, "fragment", "one fragment from interpolation to its fate"},
         {Granularity::operation, "operation", "one step"},
     }};
@@ -93,6 +101,7 @@ Stage stage_of(StepKind kind) {
     case StepKind::vertex_eye:
     case StepKind::vertex_clip:
     case StepKind::vertex_light: return Stage::vertex;
+    case StepKind::order: return Stage::visibility;
     case StepKind::outcodes:
     case StepKind::clip_plane: return Stage::clip;
     case StepKind::divide: return Stage::divide;
@@ -131,13 +140,16 @@ std::string step_path(const Step& step) {
             "vertex stage / object {} / vertex {} / {}", step.object, step.vertex, operation
         );
     }
+    if (step.kind == StepKind::order) {
+        return fmt::format("visibility / {} {}", name_of(step.decision), step.ordinal);
+    }
 
     std::string path = fmt::format("object {} / triangle {}", step.object, step.triangle);
+    if (step.part || (step.clipped && step.has_piece())) {
+        path += fmt::format(" piece {}", step.piece);
+    }
     if (step.kind == StepKind::clip_plane) {
         return path + fmt::format(" / clip / plane {}", name_of(step.plane));
-    }
-    if (step.clipped && step.has_piece()) {
-        path += fmt::format(" piece {}", step.piece);
     }
     if (step.kind == StepKind::edge_test || step.kind == StepKind::plane_test) {
         return path + fmt::format(" / pixel {},{}", step.pixel.x, step.pixel.y);

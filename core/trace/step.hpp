@@ -8,6 +8,7 @@
 #include "core/base/named.hpp"
 #include "core/base/pixel.hpp"
 #include "core/geometry/clip_volume.hpp"
+#include "core/visibility/order_names.hpp"
 
 #include <cstdint>
 #include <string>
@@ -22,6 +23,7 @@ enum class StepKind : std::uint8_t {
     vertex_eye,
     vertex_clip,
     vertex_light,
+    order,
     outcodes,
     clip_plane,
     divide,
@@ -48,6 +50,7 @@ enum class StepKind : std::uint8_t {
 enum class Stage : std::uint8_t {
     application,
     vertex,
+    visibility,
     clip,
     divide,
     viewport,
@@ -58,7 +61,7 @@ enum class Stage : std::uint8_t {
     test,
     merge,
 };
-inline constexpr int stage_count = 11;
+inline constexpr int stage_count = 12;
 
 Stage stage_of(StepKind kind);
 
@@ -78,11 +81,15 @@ struct Step {
     StepId id = 0;
     StepKind kind = StepKind::start;
     std::uint32_t object = 0;
-    std::uint32_t vertex = 0;   ///< vertex kinds: index into the object's mesh
+    std::uint32_t vertex = 0; ///< vertex kinds: index into the object's mesh
+    visibility::OrderEventKind decision = visibility::OrderEventKind::compare; ///< order
+    std::uint32_t event = 0;    ///< order: index into the recording's decisions
+    std::uint32_t ordinal = 0;  ///< order: how many of its kind came before
     std::uint32_t triangle = 0; ///< outcodes and later: index into the object's triangles
-    bool clipped = false;       ///< the triangle was clipped, so that its piece is part of the path
-    std::int32_t piece = 0;     ///< divide and later
-    std::int32_t unit = 0;      ///< tile test and later: unit of the traversal
+    bool part = false;      ///< outcodes and later: of a part of a triangle that ordering has split
+    bool clipped = false;   ///< the triangle was clipped, so that its piece is part of the path
+    std::int32_t piece = 0; ///< divide and later; of a part already before
+    std::int32_t unit = 0;  ///< tile test and later: unit of the traversal
     geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
     PixelPos
         pixel{}; ///< edge test and later, resolve; of a tile its first pixel, of a scanline its row
@@ -101,7 +108,7 @@ struct Step {
         return kind >= StepKind::outcodes && kind <= StepKind::merge;
     }
     [[nodiscard]] bool has_piece() const {
-        return kind >= StepKind::divide && kind <= StepKind::merge;
+        return in_triangle() && (part || kind >= StepKind::divide);
     }
     /// Belongs to a unit of a traversal.
     [[nodiscard]] bool in_unit() const {

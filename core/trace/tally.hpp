@@ -14,6 +14,7 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::start:
     case StepKind::resolve:
     case StepKind::end:
+    case StepKind::order: // counted by kind of decision
     case StepKind::vertex_eye:
     case StepKind::vertex_clip:
     case StepKind::vertex_light: break;

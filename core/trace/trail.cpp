@@ -1,6 +1,6 @@
 #include "core/trace/trail.hpp"
 
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/run_draw.hpp"
 #include "core/trace/detail.hpp"
 #include "core/trace/past_pixels.hpp"
 
@@ -14,6 +14,7 @@ public:
 
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t, std::uint32_t) {}
+    void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {}
     void clipped(geometry::ClipPlane, const geometry::ClipPolygon&, const geometry::ClipPolygon&) {}
     void piece_begin(int) {}
@@ -124,9 +125,8 @@ Trail trail(const Recording& recording, const Step& step, std::size_t most_pixel
     const std::uint32_t no_one = no_fragment;
     PastPixels pixels(recording, no_one);
     TrailTrace trace(result, step);
-    pipeline::draw_triangle(
-        recording.frame->calls()[step.object], step.triangle, scope, pixels, trace
-    );
+    const pipeline::Draw& draw = recording.order.draws[recording.draw_of_step(step.id)];
+    pipeline::run_draw(*recording.frame, recording.order, draw, scope, pixels, trace);
     return result;
 }
 

@@ -61,6 +61,7 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
             SidePanel::clipping,
             SidePanel::cost,
             SidePanel::normals,
+            SidePanel::order,
             SidePanel::search}
     );
     CHECK(window->state().side == SidePanel::space);

@@ -1,10 +1,24 @@
 // Keys that move the playhead.
+#include "app/viewer/layout.hpp"
 #include "tests/app/window.hpp"
 #include "tests/support/catch.hpp"
+
+#include <algorithm>
 
 using namespace hs;
 using test::Window;
 using viewer::Key;
+
+namespace {
+
+/// Where a stage's cell of the strip is, in frames that order nothing.
+float middle_of(const viewer::Rect& strip, trace::Stage stage) {
+    const std::vector<trace::Stage> stages = viewer::strip_stages(false);
+    const auto cell = std::find(stages.begin(), stages.end(), stage) - stages.begin();
+    return strip.width * (static_cast<float>(cell) + 0.5F) / static_cast<float>(stages.size());
+}
+
+} // namespace
 
 TEST_CASE("→ steps at the chosen granularity and ← takes it back", "[app]") {
     const auto window = Window::with_scene();
@@ -73,10 +87,9 @@ TEST_CASE("a click on a stage of the strip goes to that stage", "[app]") {
     const auto window = Window::with_scene();
     window->key(Key::home);
     const viewer::Rect strip = window->viewer.layout().strip;
-    const float width = strip.width / static_cast<float>(trace::stage_count);
     for (const trace::Stage stage :
          {trace::Stage::clip, trace::Stage::setup, trace::Stage::merge, trace::Stage::vertex}) {
-        const float x = width * (static_cast<float>(stage) + 0.5F);
+        const float x = middle_of(strip, stage);
         window->click({x, strip.y + strip.height * 0.5F});
         const trace::StepKind kind = window->viewer.document().player().current().kind;
         CHECK(trace::stage_of(kind) == stage);
@@ -88,16 +101,15 @@ TEST_CASE("a click on an earlier stage stays with the triangle", "[app]") {
     REQUIRE_FALSE(window->viewer.go_to("object 1 / triangle 0 / fragment 12,7 / depth test"));
     window->settle();
     const viewer::Rect strip = window->viewer.layout().strip;
-    const float width = strip.width / static_cast<float>(trace::stage_count);
     for (const trace::Stage stage : {trace::Stage::setup, trace::Stage::clip}) {
-        const float x = width * (static_cast<float>(stage) + 0.5F);
+        const float x = middle_of(strip, stage);
         window->click({x, strip.y + strip.height * 0.5F});
         const trace::Step& step = window->viewer.document().player().current();
         CHECK(trace::stage_of(step.kind) == stage);
         CHECK(step.object == 1);
         CHECK(step.triangle == 0);
     }
-    const float x = width * (static_cast<float>(trace::Stage::vertex) + 0.5F);
+    const float x = middle_of(strip, trace::Stage::vertex);
     const trace::VertexDetail* corner = window->viewer.document().vertex_detail(0);
     REQUIRE(corner != nullptr);
     const std::uint32_t vertex = corner->vertex;

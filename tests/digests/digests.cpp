@@ -1,7 +1,7 @@
 // Prints one line per digest, `name value`. The lines must not depend on the compiler or its
 // optimization level.
 #include "core/base/hash.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 #include "core/scene/scene_file.hpp"
 #include "core/scene/shapes.hpp"
 #include "core/trace/recording.hpp"

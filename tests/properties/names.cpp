@@ -6,6 +6,7 @@
 #include "core/scene/scene.hpp"
 #include "core/trace/counterpart.hpp"
 #include "core/trace/step.hpp"
+#include "core/visibility/order_names.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/enumerators.hpp"
 #include "tests/support/paths.hpp"
@@ -66,6 +67,7 @@ constexpr Table tables[] = {
     {"scene::Forward", check_table<scene::Forward>},
     {"scene::InterpolationKind", check_table<scene::InterpolationKind>},
     {"scene::LightKind", check_table<scene::LightKind>},
+    {"scene::PaintersKey", check_table<scene::PaintersKey>},
     {"scene::ProjectionKind", check_table<scene::ProjectionKind>},
     {"scene::Shading", check_table<scene::Shading>},
     {"scene::TraversalKind", check_table<scene::TraversalKind>},
@@ -75,6 +77,9 @@ constexpr Table tables[] = {
     {"trace::Match", check_table<trace::Match>},
     {"trace::Stage", check_table<trace::Stage>},
     {"trace::StepKind", check_table<trace::StepKind>},
+    {"visibility::NewellTest", check_table<visibility::NewellTest>},
+    {"visibility::OrderEventKind", check_table<visibility::OrderEventKind>},
+    {"visibility::Side", check_table<visibility::Side>},
 };
 
 /// Every `names<…>()` that a header of core declares.

@@ -1,5 +1,5 @@
 // The first three promises of the architecture, over random scenes.
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 #include "core/trace/history.hpp"
 #include "core/trace/outline.hpp"
 #include "core/trace/player.hpp"
@@ -128,7 +128,9 @@ TEST_CASE("targets equal a linear scan over every step", "[property][trace]") {
                                s.piece == next.piece && s.unit == next.unit;
         const bool same_fragment =
             s.in_fragment() && next.in_fragment() && s.fragment == next.fragment;
-        return g == Granularity::scanline   ? in_unit && !same_unit
+        const bool iteration =
+            s.kind == trace::StepKind::order && s.decision == visibility::OrderEventKind::iteration;
+        return g == Granularity::scanline   ? iteration || (in_unit && !same_unit)
                : g == Granularity::fragment ? s.in_fragment() && !same_fragment
                                             : false;
     };

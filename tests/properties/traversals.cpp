@@ -1,5 +1,5 @@
 // All traversals ask different pixels in a different order, and find the same fragments.
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/rasterized.hpp"
 #include "tests/support/triangle_soup.hpp"

@@ -1,7 +1,7 @@
 #include "tests/support/fresh_run.hpp"
 
 #include "core/base/hash.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 
 namespace hs::tests {
 namespace {
@@ -20,7 +20,13 @@ public:
             add(static_cast<StepKind>(static_cast<int>(StepKind::vertex_world) + i));
         }
     }
+    template <typename State>
+    void order_step(const visibility::OrderEvent& event, const State&) {
+        ++counters_.decisions[static_cast<std::size_t>(event.kind)];
+        add(StepKind::order);
+    }
     void triangle_begin(std::uint32_t, std::uint32_t) { clipped_ = false; }
+    void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {
         ++counters_.triangles;
         add(StepKind::outcodes);

@@ -19,6 +19,10 @@ scene::Settings random_settings(Random& random) {
     s.height = 1 + static_cast<int>(random.below(24));
     s.background = {0.125F, 0.25F, 0.5F, 1.0F};
     s.visibility = random.one_in(4) ? scene::Visibility::none : scene::Visibility::z_buffer;
+    if (random.one_in(3)) {
+        s.visibility = scene::Visibility::painters;
+    }
+    s.painters_key = any<scene::PaintersKey>(random, 3);
     s.traversal = any<scene::TraversalKind>(random, 8);
     s.tile_size = 2 << random.below(6);
     s.clip_enabled = !random.one_in(5);

@@ -1,6 +1,6 @@
 #include "tests/support/soup_scene.hpp"
 
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 
 #include <bit>
 #include <cmath>

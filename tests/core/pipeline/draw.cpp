@@ -1,5 +1,4 @@
-#include "core/pipeline/draw.hpp"
-
+#include "core/pipeline/draw_frame.hpp"
 #include "core/trace/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/soup_scene.hpp"

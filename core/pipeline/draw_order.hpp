@@ -1,0 +1,60 @@
+// What is drawn when: every triangle, or the parts that an ordering algorithm has cut it into.
+#pragma once
+
+#include "core/pipeline/frame.hpp"
+#include "core/visibility/polygon.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hs::pipeline {
+
+/// One triangle to draw, or a part of one.
+struct Draw {
+    std::uint32_t object = 0;
+    std::uint32_t triangle = 0; ///< of the object
+    std::int32_t part = -1;     ///< index into DrawOrder::parts; −1: the whole triangle
+    bool stuck = false;         ///< no order exists for it: it is passed over
+};
+
+/// A triangle within a triangle.
+struct TrianglePart {
+    std::array<glm::dvec3, 3> weights{}; ///< each corner's, of the triangle's vertices in clip
+                                         ///< coordinates; they sum to one
+    int first_piece = 0;                 ///< pieces of one triangle are numbered on over its parts
+};
+
+/// Which triangle a polygon that an algorithm speaks of belongs to.
+struct OrderedPolygon {
+    std::uint32_t triangle = 0; ///< over the whole frame, in file order; of a face the first
+    std::uint32_t triangle_count = 1;
+    std::uint32_t part = 0;
+    bool split = false;
+};
+
+template <typename Space>
+[[nodiscard]] OrderedPolygon ordered_polygon(const visibility::Polygon<Space>& polygon) {
+    return {polygon.triangle, polygon.triangle_count, polygon.part, polygon.split};
+}
+
+struct DrawOrder {
+    std::vector<Draw> draws;              ///< every triangle at least once
+    std::vector<TrianglePart> parts;      ///< empty unless something was split
+    std::vector<OrderedPolygon> polygons; ///< by the numbers that events use
+};
+
+/// All triangles one after the other, object by object.
+DrawOrder file_order(const Frame& frame);
+
+/// The draws that an algorithm's order of polygons means. The triangles of `unseen` come last: they
+/// go through their stages like all others and change nothing.
+template <typename Space>
+DrawOrder draw_order(
+    const Frame& frame,
+    const std::vector<visibility::Polygon<Space>>& polygons,
+    const std::vector<std::int32_t>& order,
+    const std::vector<Draw>& unseen
+);
+
+} // namespace hs::pipeline

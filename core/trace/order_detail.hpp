@@ -1,0 +1,34 @@
+// The reasoning behind one decision of an ordering algorithm: its whole state right after it,
+// obtained by running the algorithm again.
+#pragma once
+
+#include "core/pipeline/draw_order.hpp"
+#include "core/visibility/painters.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+
+namespace hs::trace {
+
+struct Recording;
+
+/// The state of whichever algorithm ran.
+using OrderState = std::variant<std::monostate, visibility::PaintersSort>;
+
+struct OrderDetail {
+    visibility::OrderEvent decision;
+    OrderState state; ///< after the decision
+
+    /// The polygons that the decision's numbers mean, in the window; empty for algorithms that
+    /// order in the world.
+    [[nodiscard]] std::span<const visibility::WindowPolygon> window_polygons() const;
+    /// Which triangle the polygon of a number is, or was part of; nothing for −1.
+    [[nodiscard]] std::optional<pipeline::OrderedPolygon> polygon(std::int32_t number) const;
+};
+
+/// Costs a run of the whole algorithm. Precondition: the recording has more decisions.
+OrderDetail order_detail(const Recording& recording, std::uint32_t event);
+
+} // namespace hs::trace

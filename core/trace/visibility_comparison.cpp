@@ -1,0 +1,67 @@
+#include "core/trace/visibility_comparison.hpp"
+
+#include <numeric>
+
+namespace hs::trace {
+namespace {
+
+Result<std::shared_ptr<const Recording>>
+record_with(const scene::Scene& scene, scene::Visibility visibility) {
+    auto variant = std::make_shared<scene::Scene>(scene);
+    variant->settings.visibility = visibility;
+    if (const auto problem = scene::check_combination(variant->settings)) {
+        return Diagnostic{.message = *problem};
+    }
+    return record(variant);
+}
+
+VisibilityOutcome
+outcome_of(scene::Visibility visibility, const Recording& recording, const Recording& reference) {
+    VisibilityOutcome outcome{.visibility = visibility, .refusal = {}};
+    const Counters& counters = recording.counters;
+    outcome.decisions = counters.decisions;
+    outcome.decision_count =
+        std::accumulate(counters.decisions.begin(), counters.decisions.end(), std::uint64_t{0});
+    outcome.parts = recording.order.parts.size();
+    outcome.fragments = counters.fragments;
+    outcome.written = counters.fates[static_cast<std::size_t>(fragment::FragmentFate::written)];
+    outcome.from_z_buffer = difference_of_owners(recording, reference);
+    if (const auto& first = outcome.from_z_buffer.first) {
+        outcome.shown = recording.final_pixels[*first].triangle;
+        outcome.nearest = reference.final_pixels[*first].triangle;
+    }
+    return outcome;
+}
+
+} // namespace
+
+OwnerDifference difference_of_owners(const Recording& a, const Recording& b) {
+    OwnerDifference difference;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const PixelPos p{x, y};
+            if (a.final_pixels[p].triangle != b.final_pixels[p].triangle) {
+                difference.first = difference.first.value_or(p);
+                ++difference.pixels;
+            }
+        }
+    }
+    return difference;
+}
+
+std::vector<VisibilityOutcome> compare_visibility(const scene::Scene& scene) {
+    std::vector<VisibilityOutcome> outcomes;
+    const auto reference = record_with(scene, scene::Visibility::z_buffer);
+    for (const Named<scene::Visibility>& kind : names<scene::Visibility>()) {
+        const auto recording = record_with(scene, kind.value);
+        if (!reference || !recording) {
+            const auto& problems = reference ? recording.diagnostics() : reference.diagnostics();
+            outcomes.push_back({.visibility = kind.value, .refusal = problems.front().message});
+        } else {
+            outcomes.push_back(outcome_of(kind.value, **recording, **reference));
+        }
+    }
+    return outcomes;
+}
+
+} // namespace hs::trace
