@@ -274,7 +274,6 @@ Meeting meet(const WorldPolygon& polygon, const Ray& ray, double margin) {
         return {.unclear = true};
     }
     const double t = glm::dot(normal, polygon.corners[0].position - ray.origin) / along;
-    const bool steep = std::fabs(along) < 0.01;
     const glm::dvec3 p = ray.origin + t * ray.direction;
 
     // Distances from the edges in the plane, positive inside
@@ -287,8 +286,10 @@ Meeting meet(const WorldPolygon& polygon, const Ray& ray, double margin) {
             nearest = std::min(nearest, glm::dot(inward, p - a));
         }
     }
+    // Near an edge, along the plane or at the eye itself rounding decides
+    const bool grazing = std::fabs(along) < 0.01 || t < margin;
     return {
-        .unclear = t > 0.0 && (std::fabs(nearest) < margin || (steep && nearest > -margin)),
+        .unclear = t > -margin && (std::fabs(nearest) < margin || (grazing && nearest > -margin)),
         .met = t > 0.0 && nearest > 0.0,
         .distance = t};
 }

@@ -98,7 +98,7 @@ std::optional<int>
 nearest_met(std::span<const visibility::WorldPolygon> triangles, const Ray& ray, double margin);
 
 /// Does a ray meet the polygons of `order` one farther than the other? Nothing where it passes
-/// within `margin` of an edge, along a plane, or meets two as near to each other.
+/// within `margin` of an edge or of the eye, along a plane, or meets two as near to each other.
 std::optional<bool> front_to_back_along(
     std::span<const visibility::WorldPolygon> polygons,
     std::span<const std::int32_t> order,
