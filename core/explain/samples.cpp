@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <bit>
 
 namespace hs::explain {
 namespace {
@@ -21,6 +22,11 @@ std::int64_t at_corner(const raster::EdgeFunction& edge, std::int64_t center) {
 std::string within_pixel(std::int32_t offset) {
     const double place = 0.5 + static_cast<double>(offset) / subpixel_scale;
     return fmt::format("{:.4g}", place).substr(1);
+}
+
+/// "sample 2", "samples 0, 2 and 3"
+std::string named_samples(raster::CoverageMask samples) {
+    return fmt::format("sample{} {}", std::popcount(samples) == 1 ? "" : "s", sample_list(samples));
 }
 
 } // namespace
@@ -78,11 +84,11 @@ std::string samples_merge_sentence(
 ) {
     const auto hidden = static_cast<raster::CoverageMask>(fragment.coverage ^ fragment.passed);
     return fmt::format(
-        "{} {} sample {}{}.",
+        "{} {} {}{}.",
         who,
         blended ? "is blended into" : "is written to",
-        sample_list(fragment.passed),
-        hidden != 0 ? fmt::format("; sample {} failed its depth test", sample_list(hidden))
+        named_samples(fragment.passed),
+        hidden != 0 ? fmt::format("; {} failed the depth test", named_samples(hidden))
                     : std::string{}
     );
 }

@@ -114,18 +114,20 @@ void print_shapes() {
 }
 
 /// Every setting in every combination that chance brings; a hundred scenes to a line.
-void print_random_scenes() {
+void print_random_scenes(
+    const std::string& kind, std::shared_ptr<const scene::Scene> (*scene_of)(std::uint64_t)
+) {
     constexpr std::uint64_t scenes_per_line = 100;
     constexpr std::uint64_t lines = 10;
     for (std::uint64_t line = 0; line < lines; ++line) {
         Digest untraced;
         Digest recorded;
         for (std::uint64_t i = 0; i < scenes_per_line; ++i) {
-            const auto scene = tests::random_scene(line * scenes_per_line + i);
+            const auto scene = scene_of(line * scenes_per_line + i);
             untraced.add(untraced_digest(scene));
             recorded.add(recorded_digest(scene));
         }
-        const std::string name = fmt::format("random.{}", line * scenes_per_line);
+        const std::string name = fmt::format("{}.{}", kind, line * scenes_per_line);
         print(name + ".untraced", untraced.value());
         print(name + ".recorded", recorded.value());
     }
@@ -158,7 +160,8 @@ void print_scene_files() {
 int main() {
     print("arithmetic", arithmetic_digest());
     print_shapes();
-    print_random_scenes();
+    print_random_scenes("random", tests::random_scene);
+    print_random_scenes("sampled", tests::sampled_scene);
     print_scene_files();
     return 0;
 }

@@ -29,7 +29,8 @@ const Subject& subject(std::size_t seed, std::size_t budget) {
     static std::array<std::array<Subject, budgets>, scenes> made;
     Subject& s = made[seed][budget];
     if (s.recording == nullptr) {
-        const auto scene = tests::random_scene(1000 + seed);
+        const auto scene =
+            seed % 2 == 0 ? tests::random_scene(1000 + seed) : tests::sampled_scene(1000 + seed);
         const auto pixels = static_cast<std::size_t>(scene->settings.width) *
                             static_cast<std::size_t>(scene->settings.height);
         s.moments = tests::fresh_run(scene);

@@ -69,6 +69,7 @@ constexpr Table tables[] = {
     {"scene::LightKind", check_table<scene::LightKind>},
     {"scene::PaintersKey", check_table<scene::PaintersKey>},
     {"scene::ProjectionKind", check_table<scene::ProjectionKind>},
+    {"scene::Sampling", check_table<scene::Sampling>},
     {"scene::Shading", check_table<scene::Shading>},
     {"scene::TraversalKind", check_table<scene::TraversalKind>},
     {"scene::Visibility", check_table<scene::Visibility>},
