@@ -47,6 +47,7 @@ constexpr std::array<CommandInfo, command_count> table{{
     {Command::previous_view,     view,     "previous screen view",      {Key::v, false, true, false}, {}},
     {Command::toggle_grid,       view,     "pixel grid on and off",     plain(Key::g),      {}},
     {Command::toggle_numbers,    view,     "numbers on pixels on and off", plain(Key::n),   {}},
+    {Command::toggle_helpers,    view,     "helper pixels of derivatives on and off", plain(Key::h), {}},
     {Command::toggle_side,       view,     "side panel on and off",     ctrl(Key::d),       {}},
     {Command::next_side,         view,     "space, beside, projection, depth, clip …", plain(Key::s), {}},
     {Command::morph,             view,     "from the pyramid of view to NDC and back", plain(Key::m), {}},

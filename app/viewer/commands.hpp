@@ -38,6 +38,7 @@ enum class Command : std::uint8_t {
     previous_view,
     toggle_grid,
     toggle_numbers,
+    toggle_helpers,
     toggle_side,
     next_side,
     morph,

@@ -38,6 +38,7 @@ void Document::show(std::shared_ptr<const trace::Recording> recording) {
     costs_triangle_.reset();
     order_event_.reset();
     order_.reset();
+    helpers_piece_.reset();
 }
 
 void Document::close() {
@@ -50,6 +51,7 @@ void Document::close() {
     costs_triangle_.reset();
     order_event_.reset();
     order_.reset();
+    helpers_piece_.reset();
 }
 
 std::optional<std::uint32_t> Document::current_triangle() const {
@@ -148,6 +150,22 @@ const std::vector<trace::TraversalCost>& Document::traversal_costs() {
     }
     costs_triangle_ = triangle;
     return traversal_costs_;
+}
+
+const trace::HelperPixels& Document::helper_pixels() {
+    const std::optional<std::uint32_t> triangle = current_triangle();
+    if (!triangle) {
+        helpers_piece_.reset();
+        helper_pixels_ = {};
+        return helper_pixels_;
+    }
+    const std::pair piece{*triangle, player_->current().piece};
+    if (helpers_piece_ != piece) {
+        helper_pixels_ =
+            trace::helper_pixels(recording(), *player_->detail().triangle, player_->current());
+        helpers_piece_ = piece;
+    }
+    return helper_pixels_;
 }
 
 const trace::Trail& Document::trail() {

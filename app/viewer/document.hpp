@@ -5,6 +5,7 @@
 #include "core/trace/comparison.hpp"
 #include "core/trace/history.hpp"
 #include "core/trace/player.hpp"
+#include "core/trace/quad_detail.hpp"
 #include "core/trace/trail.hpp"
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hs::viewer {
@@ -74,6 +76,10 @@ public:
     /// What the current triangle's traversal has done so far, kept until the playhead moves.
     const trace::Trail& trail();
 
+    /// The pixels shaded only to help the current piece's derivatives, kept until another piece is
+    /// current; none outside of pieces.
+    const trace::HelperPixels& helper_pixels();
+
 private:
     std::unique_ptr<trace::Player> player_;
     unsigned revision_ = 0;
@@ -88,6 +94,8 @@ private:
     std::optional<std::uint32_t> costs_triangle_;
     trace::Trail trail_;
     std::optional<trace::StepId> trail_step_;
+    trace::HelperPixels helper_pixels_;
+    std::optional<std::pair<std::uint32_t, std::int32_t>> helpers_piece_; ///< triangle, piece
 };
 
 } // namespace hs::viewer

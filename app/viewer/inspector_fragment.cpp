@@ -1,5 +1,6 @@
 // The inspector's tabs for a fragment, for a pixel's history and for the state it ran under.
 #include "app/viewer/formula_view.hpp"
+#include "app/viewer/inspector_samples.hpp"
 #include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
@@ -7,6 +8,7 @@
 #include "core/explain/formulas.hpp"
 #include "core/explain/lighting.hpp"
 #include "core/explain/numbers.hpp"
+#include "core/explain/samples.hpp"
 #include "core/explain/sentence.hpp"
 
 #include <fmt/format.h>
@@ -15,15 +17,6 @@
 
 namespace hs::viewer {
 namespace {
-
-void swatch(const Theme& theme, const glm::vec4& color) {
-    const float side = ImGui::GetTextLineHeight();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + side, at.y + side}, framebuffer::pack(color) | IM_COL32_A_MASK);
-    list.AddRect(at, {at.x + side, at.y + side}, theme[Tone::hairline]);
-    ImGui::Dummy({side, side});
-}
 
 void color_row(const Theme& theme, const char* label, const glm::vec4& color) {
     ImGui::PushStyleColor(ImGuiCol_Text, theme[Tone::quiet]);
@@ -35,13 +28,37 @@ void color_row(const Theme& theme, const char* label, const glm::vec4& color) {
     mono(theme, explain::point(color));
 }
 
+/// What the test of a sample computed.
+void draw_step_formulas(Context& context) {
+    const trace::Step& step = context.document.player().current();
+    if (step.kind != trace::StepKind::sample_test) {
+        return;
+    }
+    const trace::StepDetail& detail = context.document.player().detail();
+    for (const explain::Formula& formula :
+         explain::formulas(detail, step, context.document.settings())) {
+        draw_formula(context, formula, true);
+    }
+}
+
 void draw_visit(Context& context, const trace::VisitDetail& visit) {
     const trace::PieceDetail* piece = context.document.piece_detail();
     const bool here = context.document.player().current().kind == trace::StepKind::edge_test;
-    if (piece != nullptr && piece->setup) {
-        for (const explain::Formula& formula : explain::edge_formulas(*piece->setup, visit)) {
-            draw_formula(context, formula, here);
-        }
+    const trace::StepDetail& detail = context.document.player().detail();
+    if (!detail.samples.empty()) {
+        draw_sample_edges(context, detail);
+        draw_step_formulas(context);
+        return;
+    }
+    if (piece == nullptr || !piece->setup) {
+        return;
+    }
+    const bool squares = context.document.settings().sampling == scene::Sampling::conservative;
+    const auto formulas = squares
+                              ? explain::square_formulas(*piece->setup, visit.pixel, visit.edges)
+                              : explain::edge_formulas(*piece->setup, visit);
+    for (const explain::Formula& formula : formulas) {
+        draw_formula(context, formula, here);
     }
 }
 
@@ -67,6 +84,9 @@ void draw_life(Context& context, const trace::FragmentDetail& fragment) {
         frame_if_pointed(context, {"color.r", "color.g", "color.b", "color.a"});
     }
     color_row(theme, "after", fragment.merge ? fragment.merge->after : before.color);
+    if (recording.samples.active()) {
+        draw_sample_fates(context, context.document.player().detail());
+    }
     ImGui::Separator();
     if (piece == nullptr) {
         return;
@@ -117,6 +137,13 @@ void draw_life_beside(Context& context, PixelPos pixel) {
     for (const explain::Formula& formula : list) {
         draw_formula(other, formula, false);
     }
+}
+
+/// At its center, or at one of its samples where there are several.
+bool covered_by_triangle(const trace::StepDetail& detail) {
+    const auto covered = [](const trace::SampleDetail& sample) { return sample.covered; };
+    return detail.samples.empty() ? detail.visit->inside
+                                  : std::ranges::any_of(detail.samples, covered);
 }
 
 // ---- pixel history
@@ -229,9 +256,22 @@ void draw_rows(Context& context, const trace::PixelHistory& history) {
 
 } // namespace
 
+void swatch(const Theme& theme, const glm::vec4& color) {
+    const float side = ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + side, at.y + side}, framebuffer::pack(color) | IM_COL32_A_MASK);
+    list.AddRect(at, {at.x + side, at.y + side}, theme[Tone::hairline]);
+    ImGui::Dummy({side, side});
+}
+
 void draw_fragment_tab(Context& context) {
     const Theme& theme = context.theme;
     const trace::StepDetail& detail = context.document.player().detail();
+    if (detail.resolve) {
+        draw_resolve(context, *detail.resolve);
+        return;
+    }
     if (!detail.visit) {
         empty_note(
             theme,
@@ -244,7 +284,8 @@ void draw_fragment_tab(Context& context) {
         heading(theme, fmt::format("Pixel {}", explain::pixel(detail.visit->pixel)));
         caption(
             theme,
-            detail.visit->inside ? "covered: a fragment follows" : "not covered: no fragment here"
+            covered_by_triangle(detail) ? "covered: a fragment follows"
+                                        : "not covered: no fragment here"
         );
         draw_visit(context, *detail.visit);
         return;
@@ -254,6 +295,12 @@ void draw_fragment_tab(Context& context) {
     draw_life_beside(context, detail.visit->pixel);
     heading(theme, "Coverage");
     draw_visit(context, *detail.visit);
+    const auto quad = trace::quad_detail(
+        context.document.recording(), *detail.triangle, context.document.player().current()
+    );
+    if (quad) {
+        draw_quad(context, *quad);
+    }
 }
 
 void draw_history_tab(Context& context) {

@@ -69,6 +69,7 @@ void view_menu(Context& context) {
           Command::next_view,
           Command::toggle_grid,
           Command::toggle_numbers,
+          Command::toggle_helpers,
           Command::toggle_side,
           Command::next_side,
           Command::morph,

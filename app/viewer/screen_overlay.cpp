@@ -5,6 +5,7 @@
 #include "app/viewer/lesson_form.hpp"
 #include "app/viewer/lesson_pointer.hpp"
 #include "app/viewer/order_overlay.hpp"
+#include "app/viewer/sample_overlay.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "app/viewer/search.hpp"
 #include "app/viewer/traversal_overlay.hpp"
@@ -219,10 +220,14 @@ void draw_edge_line(const Canvas& canvas, const trace::PieceDetail& piece, unsig
     }
 }
 
-/// The visited pixel is framed; a filled dot says covered, an empty one not.
-void draw_visit(const Canvas& canvas, const trace::Step& step) {
+/// The visited pixel is framed; a filled dot says covered, an empty one not. A pixel being resolved
+/// is framed, too.
+void draw_visit(const Canvas& canvas, const trace::Step& step, bool several_samples) {
     const ImU32 color = canvas.theme[step.covered ? Tone::pass : Tone::fail];
     frame_with_halo(canvas, step.pixel, color, 2.0F);
+    if (several_samples) {
+        return; // they are marked one by one
+    }
     const float radius = std::clamp(canvas.view.zoom * 0.12F, 2.0F, canvas.theme.units(2));
     const ImVec2 c = canvas.center(step.pixel);
     canvas.list.AddCircleFilled(c, radius + 1.5F, canvas.theme.faded(Tone::halo, 0.8F), 16);
@@ -368,6 +373,22 @@ void draw_keys(
     }
 }
 
+/// With a count, where samples are asked.
+std::string covered_label(Context& context) {
+    const std::string samples = covered_samples_label(context);
+    return samples.empty() ? "covered" : samples;
+}
+
+/// The color of the picked pixel is that of helper pixels, too.
+std::string selected_label(Context& context) {
+    if (!context.state.screen.show_helpers) {
+        return "picked";
+    }
+    const trace::HelperPixels& helpers = context.document.helper_pixels();
+    return helpers.whole ? fmt::format("picked, {} helpers", helpers.helpers.size())
+                         : std::string{"picked; too large for helpers"};
+}
+
 } // namespace
 
 ImVec2 image_origin(const ScreenView& view) {
@@ -426,7 +447,8 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
     if (view.show_grid && view.zoom >= grid_zoom) {
         draw_grid(canvas);
     }
-    if (!numbers && view.zoom >= samples_zoom) {
+    const bool several = context.document.recording().samples.active();
+    if (!numbers && !several && view.zoom >= samples_zoom) {
         draw_samples(canvas);
     }
     draw_fighting(context, canvas);
@@ -445,9 +467,12 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
         }
     }
     draw_ordered_pair(context);
+    draw_helper_pixels(context);
     draw_traversal(context);
-    if (context.document.player().current().has_pixel()) {
-        draw_visit(canvas, context.document.player().current());
+    draw_sample_points(context);
+    const trace::Step& step = context.document.player().current();
+    if (step.has_pixel() || step.kind == trace::StepKind::resolve) {
+        draw_visit(canvas, step, several);
     }
     if (context.state.selected) {
         frame_with_halo(canvas, *context.state.selected, context.theme[Tone::selected], 1.5F);
@@ -483,9 +508,9 @@ void draw_legend(Context& context, const ScreenPicture& picture, const Rect& rec
     } else {
         const std::array keys{
             Swatch{Tone::outline, "triangle"},
-            Swatch{Tone::pass, "covered"},
+            Swatch{Tone::pass, covered_label(context)},
             Swatch{Tone::fail, "not covered"},
-            Swatch{Tone::selected, "picked"}};
+            Swatch{Tone::selected, selected_label(context)}};
         draw_keys(context, rect, keys);
     }
 }

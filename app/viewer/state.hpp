@@ -96,7 +96,8 @@ struct ScreenView {
     bool show_grid = true;
     bool show_outline = true;
     bool show_numbers = true;
-    Rect area; ///< where the last frame drew
+    bool show_helpers = false; ///< the pixels that only help with derivatives
+    Rect area;                 ///< where the last frame drew
 };
 
 /// The second picture: the same pixels as the screen view, at the same size.

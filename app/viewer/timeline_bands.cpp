@@ -66,6 +66,11 @@ void TimelineBands::gather_draws(const trace::Recording& recording) {
         frame_.back().last = recording.first_resolve_step - 1;
         frame_.back().label = "triangles";
     }
+    if (recording.samples.active()) {
+        frame_.push_back(
+            {recording.first_resolve_step, recording.end_step - 1, trace::Stage::merge, "resolve"}
+        );
+    }
 }
 
 void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t draw) {

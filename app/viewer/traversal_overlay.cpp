@@ -72,6 +72,9 @@ void draw_path(const Sheet& sheet, const std::vector<trace::TrailVisit>& visits)
     }
     const float radius = std::min(sheet.zoom * 0.18F, sheet.theme.pixels(4));
     for (const trace::TrailVisit& visit : visits) {
+        if (visit.samples_asked > 0) {
+            continue; // its samples are marked one by one
+        }
         const ImVec2 c = sheet.center(visit.pixel);
         if (visit.covered) {
             sheet.list.AddCircleFilled(c, radius, sheet.theme[Tone::pass], 12);

@@ -60,7 +60,8 @@ std::optional<InspectorTab> tab_about(const trace::Step& step) {
     if (step.in_triangle()) {
         return step.has_pixel() ? InspectorTab::fragment : InspectorTab::triangle;
     }
-    return std::nullopt;
+    return step.kind == trace::StepKind::resolve ? std::optional{InspectorTab::fragment}
+                                                 : std::nullopt;
 }
 
 bool is_about_steps(InspectorTab tab) {

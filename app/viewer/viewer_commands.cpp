@@ -218,6 +218,8 @@ bool Viewer::run_view(Command command) {
         screen.show_grid = !screen.show_grid;
     } else if (is(Command::toggle_numbers)) {
         screen.show_numbers = !screen.show_numbers;
+    } else if (is(Command::toggle_helpers)) {
+        screen.show_helpers = !screen.show_helpers;
     } else if (is(Command::toggle_side)) {
         state_.show_side = !state_.show_side;
     } else if (is(Command::next_side)) {
