@@ -42,7 +42,7 @@ int RayWorld::first_hit(const glm::vec3& origin, const glm::vec3& direction, flo
     query.ray.tfar = far;
     query.ray.mask = ~0U;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
+    RTCIntersectContext context{};
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene_, &context, &query);
     return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? -1 : static_cast<int>(query.hit.primID);
