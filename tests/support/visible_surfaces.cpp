@@ -102,7 +102,7 @@ random_window_triangles(std::uint32_t count, float size, Random& random) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 middle{
             random.between(0.0F, 100.0F), random.between(0.0F, 100.0F), random.between(0.2F, 0.8F)};
-        std::array<glm::dvec3, 3> corners;
+        std::array<glm::dvec3, 3> corners{};
         for (glm::dvec3& corner : corners) {
             const glm::vec3 offset{
                 random.between(-size, size),
@@ -229,7 +229,7 @@ std::vector<WorldPolygon> random_world_triangles(std::uint32_t count, float size
     std::vector<WorldPolygon> triangles;
     for (std::uint32_t i = 0; i < count; ++i) {
         const glm::vec3 middle = within(1.0F);
-        std::array<glm::dvec3, 3> corners;
+        std::array<glm::dvec3, 3> corners{};
         for (glm::dvec3& corner : corners) {
             corner = glm::dvec3{middle + within(size)};
         }

@@ -182,7 +182,8 @@ TEST_CASE("the estimate knows a convex surface from triangles in no order", "[vi
     std::vector<WorldPolygon> bowl; // each triangle touches a paraboloid
     for (std::uint32_t i = 0; i < 3600; ++i) {
         const double x = i % 60 / 30.0 - 1.0;
-        const double y = i / 60 / 30.0 - 1.0;
+        const std::uint32_t row = i / 60;
+        const double y = row / 30.0 - 1.0;
         const auto at = [&](double dx, double dy) {
             return glm::dvec3{x + dx, y + dy, x * x + y * y + 2 * x * dx + 2 * y * dy};
         };

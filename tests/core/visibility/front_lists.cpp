@@ -87,13 +87,15 @@ TEST_CASE(
 
 TEST_CASE("overlapping polygons of one plane do not wait for each other", "[visibility]") {
     visibility::SilentOrder silent;
-    const FrontLists lists = order_by_front_lists(
-        {tests::window_rectangle(0, {0, 0}, {9, 9}, 0.5),
-         tests::window_rectangle(1, {3, 3}, {12, 12}, 0.5)},
-        silent
-    );
-    CHECK(lists.iterations == 1);
-    CHECK(lists.order == Numbers{0, 1});
+    for (const double rounding : {0.0, 0x1p-25, -0x1p-25}) {
+        const FrontLists lists = order_by_front_lists(
+            {tests::window_rectangle(0, {0, 0}, {9, 9}, 0.5),
+             tests::window_rectangle(1, {3, 3}, {12, 12}, 0.5 + rounding)},
+            silent
+        );
+        CHECK(lists.iterations == 1);
+        CHECK(lists.order == Numbers{0, 1});
+    }
 }
 
 TEST_CASE("no polygon, one polygon and one without area are drawn at once", "[visibility]") {

@@ -34,6 +34,7 @@ constexpr glm::dvec3 reach{2.0, 2.0, 2.0};
 
 std::vector<WorldPlane> planes_of(const glm::mat4& world_to_clip) {
     std::vector<WorldPlane> planes;
+    planes.reserve(clip_planes.size());
     for (const math::HalfSpace& plane : clip_planes) {
         planes.push_back(visibility::world_plane(plane, world_to_clip, reach));
     }
@@ -42,6 +43,7 @@ std::vector<WorldPlane> planes_of(const glm::mat4& world_to_clip) {
 
 std::vector<Extents> boxes_of(const std::vector<WorldPolygon>& triangles) {
     std::vector<Extents> boxes;
+    boxes.reserve(triangles.size());
     for (const WorldPolygon& triangle : triangles) {
         boxes.push_back(visibility::extents_of(triangle));
     }
@@ -77,6 +79,25 @@ struct EventTrace {
     std::vector<CullEvent> events;
     void cull_step(const CullEvent& event, const FrustumCull&) { events.push_back(event); }
 };
+
+/// The triangles below a node.
+std::span<const std::int32_t> below(const BoxTree& tree, const visibility::BoxNode& node) {
+    return std::span{tree.triangles}.subspan(
+        static_cast<std::size_t>(node.first), static_cast<std::size_t>(node.count)
+    );
+}
+
+bool holds(const Extents& box, const Extents& inner) {
+    return glm::min(inner.low, box.low) == box.low && glm::max(inner.high, box.high) == box.high;
+}
+
+bool inside_all(const WorldPolygon& triangle, std::span<const WorldPlane> planes) {
+    return std::ranges::all_of(planes, [&](const WorldPlane& plane) {
+        return std::ranges::all_of(triangle.corners, [&](const auto& corner) {
+            return visibility::signed_distance(plane, corner.position) >= -1e-12;
+        });
+    });
+}
 
 glm::mat4 random_camera(tests::Random& random) {
     const auto within = [&](float size) {
@@ -123,7 +144,8 @@ TEST_CASE("planes carried to world space have the same points inside", "[visibil
                 const double distance = visibility::signed_distance(planes[k], point);
                 const bool inside = (code >> k & 1U) == 0;
                 near += std::fabs(distance) <= planes[k].tolerance ? 1 : 0;
-                wrong += std::fabs(distance) > planes[k].tolerance && inside != (distance > 0.0);
+                wrong +=
+                    std::fabs(distance) > planes[k].tolerance && inside != (distance > 0.0) ? 1 : 0;
             }
         }
     }
@@ -139,13 +161,8 @@ TEST_CASE("every box of a tree holds the triangles below it, each in one leaf", 
         std::multiset<std::int32_t> in_leaves;
         int outside = 0;
         for (const visibility::BoxNode& node : tree.nodes) {
-            for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-                const std::int32_t triangle = tree.triangles[static_cast<std::size_t>(i)];
-                const Extents& extents = boxes[static_cast<std::size_t>(triangle)];
-                outside += glm::min(extents.low, node.box.low) == node.box.low &&
-                                   glm::max(extents.high, node.box.high) == node.box.high
-                               ? 0
-                               : 1;
+            for (const std::int32_t triangle : below(tree, node)) {
+                outside += holds(node.box, boxes[static_cast<std::size_t>(triangle)]) ? 0 : 1;
                 if (node.left < 0) {
                     in_leaves.insert(triangle);
                 }
@@ -200,15 +217,8 @@ TEST_CASE("what is accepted has every vertex inside all planes", "[property][vis
                 continue;
             }
             const visibility::BoxNode& node = tree.nodes[static_cast<std::size_t>(event.node)];
-            for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-                const auto triangle =
-                    static_cast<std::size_t>(tree.triangles[static_cast<std::size_t>(i)]);
-                for (const auto& corner : triangles[triangle].corners) {
-                    for (const WorldPlane& plane : planes) {
-                        wrong +=
-                            visibility::signed_distance(plane, corner.position) >= -1e-12 ? 0 : 1;
-                    }
-                }
+            for (const std::int32_t triangle : below(tree, node)) {
+                wrong += inside_all(triangles[static_cast<std::size_t>(triangle)], planes) ? 0 : 1;
                 ++accepted;
             }
         }

@@ -33,7 +33,8 @@ WorldPolygon speck(std::uint32_t number, double x, double y, double z) {
 std::vector<WorldPolygon> eight_specks() {
     std::vector<WorldPolygon> polygons;
     for (std::uint32_t k = 0; k < 8; ++k) {
-        polygons.push_back(speck(k, k & 1U ? 1 : -1, k & 2U ? 1 : -1, k & 4U ? 1 : -1));
+        const auto side = [&](unsigned axis) { return (k >> axis & 1U) != 0 ? 1.0 : -1.0; };
+        polygons.push_back(speck(k, side(0), side(1), side(2)));
     }
     return polygons;
 }

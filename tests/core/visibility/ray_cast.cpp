@@ -62,6 +62,23 @@ TEST_CASE(
     CHECK_FALSE(visibility::meet(down_the_axis, {wall[0], wall[0], wall[0]}).hit);
 }
 
+TEST_CASE("edges and vertices belong to a triangle of either winding", "[visibility]") {
+    const glm::dvec3 a{0, 0, 4};
+    const glm::dvec3 b{4, 0, 4};
+    const glm::dvec3 c{0, 4, 4};
+    // On every edge, at every vertex; and just outside
+    const std::vector<glm::dvec2> on{{2, 0}, {0, 2}, {2, 2}, {0, 0}, {4, 0}, {0, 4}};
+    const std::vector<glm::dvec2> outside{{2, -0.125}, {-0.125, 2}, {2.125, 2}};
+    for (const RayTriangle& triangle : {RayTriangle{a, b, c}, RayTriangle{a, c, b}}) {
+        for (const glm::dvec2& p : on) {
+            CHECK(visibility::meet({{p, 0}, {0, 0, 8}}, triangle).hit);
+        }
+        for (const glm::dvec2& p : outside) {
+            CHECK_FALSE(visibility::meet({{p, 0}, {0, 0, 8}}, triangle).hit);
+        }
+    }
+}
+
 TEST_CASE("weights make the point where the ray meets", "[visibility]") {
     tests::Random random(451);
     double worst = 0.0;
@@ -108,7 +125,7 @@ TEST_CASE("no ray slips between triangles that share an edge or a vertex", "[vis
             fan.push_back({center, rim[k], rim[(k + 1) % rim.size()]});
         }
         const glm::dvec3 eye{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-        const double t = static_cast<double>(random.one_in(10) ? 0.0F : random.between(0, 0.9F));
+        const auto t = static_cast<double>(random.one_in(10) ? 0.0F : random.between(0, 0.9F));
         const glm::dvec3 target = center + t * (rim[random.below(7)] - center);
         visibility::SilentRay silent;
         const RayCast cast = visibility::cast_ray({eye, 2.0 * (target - eye)}, fan, silent);

@@ -62,7 +62,9 @@ struct RowTrace {
 /// What the spans show at each pixel center.
 std::vector<std::int32_t>
 pixels_of(const std::vector<WindowPolygon>& polygons, int width, int height) {
-    std::vector<std::int32_t> pixels(static_cast<std::size_t>(width * height), -2);
+    std::vector<std::int32_t> pixels(
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -2
+    );
     visibility::SilentScan silent;
     visibility::scan_visible(polygons, width, height, silent, [&](const ScanSpan& span) {
         const int end = visibility::first_pixel(span.x_end);
@@ -167,8 +169,9 @@ TEST_CASE("scanlines show the nearest triangle at every pixel center", "[propert
         const auto spans = pixels_of(given, 100, 100);
         const auto lines = line_pixels_of(given, 100, 100);
         for (std::size_t i = 0; i < spans.size(); ++i) {
+            const std::size_t row = i / 100;
             const glm::dvec2 point{
-                static_cast<double>(i % 100) + 0.5, static_cast<double>(i / 100) + 0.5};
+                static_cast<double>(i % 100) + 0.5, static_cast<double>(row) + 0.5};
             const auto nearest = tests::nearest_at(given, point, 1.0e-9, 1.0e-9);
             if (nearest) {
                 ++asked;
