@@ -12,7 +12,7 @@
 namespace hs::viewer {
 namespace {
 
-constexpr float points_zoom = 16.0F; ///< window pixels per image pixel from which samples show
+constexpr float points_zoom = 12.0F; ///< window pixels per image pixel from which samples show
 constexpr float helpers_zoom = 4.0F; ///< from which helper pixels can be told apart
 
 /// The drawing under way: where image positions fall.

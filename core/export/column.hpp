@@ -102,6 +102,8 @@ Table order_table(const SharedRecording& recording, std::size_t decisions);
 Table counter_table(const trace::Counters& counters);
 /// Of the triangle the player stands on, else of the frame.
 Table traversal_table(const trace::Player& player);
+/// What the samples hold at the step; empty with one sample a pixel.
+Table sample_table(const trace::Player& player);
 
 /// Polygons made by clipping.
 struct PieceTables {

@@ -44,10 +44,11 @@ Table piece_vertices_at(const Player& player) {
     return piece_tables(player.shared_recording()).vertices;
 }
 
-constexpr std::array<TableName, 10> known{{
+constexpr std::array<TableName, 11> known{{
     {"vertices", "every vertex in every space, with its varyings"},
     {"triangles", "every triangle with its verdict"},
     {"fragments", "every fragment up to the step, with its fate"},
+    {"samples", "what every sample of every pixel holds, where a pixel has several"},
     {"counters", "how often everything has happened up to the step"},
     {"runs", "stretches of one triangle's fragments, up to the step"},
     {"pieces", "triangles made by clipping"},
@@ -62,6 +63,7 @@ constexpr std::array<Table (*)(const Player&), known.size()> makers{
     vertices_at,
     triangles_at,
     fragments_at,
+    sample_table,
     counters_at,
     runs_at,
     pieces_at,

@@ -140,6 +140,31 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("the table of samples holds what the playhead shows", "[export][table]") {
+    for (std::uint64_t seed = 1; seed < tests::random_frames; seed += 2) {
+        const trace::Player player = tests::random_player(seed);
+        const trace::Recording& recording = player.recording();
+        const nlohmann::json table = as_json(player, "samples");
+        std::size_t row = 0;
+        int wrong = 0;
+        for (int y = 0; recording.samples.active() && y < recording.height(); ++y) {
+            for (int x = 0; x < recording.width(); ++x) {
+                const framebuffer::PixelSamples held = player.samples({x, y});
+                for (int s = 0; s < held.count; ++s, ++row) {
+                    const bool right =
+                        table["sample.pixel"][row] == nlohmann::json{x, y} &&
+                        table["sample.number"][row] == s &&
+                        table["sample.color"][row][1].get<float>() == held[s].color.g &&
+                        table["sample.depth"][row].get<float>() == held[s].depth;
+                    wrong += right ? 0 : 1;
+                }
+            }
+        }
+        CHECK(table["sample.pixel"].size() == row);
+        CHECK(wrong == 0);
+    }
+}
+
 TEST_CASE("counters go up to the step", "[export][table]") {
     trace::Player player(tests::recorded(tests::random_scene(2)));
     CHECK(as_json(player, "counters")["counters.fragments"][0] == player.counters().fragments);
@@ -203,8 +228,8 @@ TEST_CASE("an unknown table is refused with the names of those there are", "[exp
     const auto table = exporting::make_table(tests::random_player(0), "normals");
     REQUIRE_FALSE(table);
     CHECK(
-        table.diagnostics().front().message ==
-        "'normals' is not a table; known are vertices, triangles, fragments, counters, runs, "
-        "pieces, piece-vertices, traversals"
+        table.diagnostics().front().message == "'normals' is not a table; known are vertices, "
+                                               "triangles, fragments, samples, counters, runs, "
+                                               "pieces, piece-vertices, traversals"
     );
 }
