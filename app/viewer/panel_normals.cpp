@@ -86,9 +86,9 @@ void draw_plane(const Theme& theme, const Rect& rect, const NormalStory& story, 
 void draw_picture(const Theme& theme, const NormalStory& story) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    const float height = theme.units(36);
-    ImGui::Dummy({width, height});
     const float half = width * 0.5F;
+    const float height = std::min(theme.units(36), half * 0.5F + theme.units(4));
+    ImGui::Dummy({width, height});
     draw_plane(theme, {at.x, at.y, half, height}, story, false);
     draw_plane(theme, {at.x + half, at.y, half, height}, story, true);
 }
