@@ -171,7 +171,7 @@ int run_compare(const Options& options, const Common& common) {
     }
     const trace::Step& step = (*player)->current();
     std::optional<trace::TriangleNumber> only;
-    if (step.in_triangle()) {
+    if (step.of_triangle()) {
         only = trace::TriangleNumber{step.object, step.triangle};
     }
     const auto rows = trace::compare_traversals((*recording)->frame->shared_scene(), only);

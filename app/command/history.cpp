@@ -23,6 +23,7 @@ struct Options {
 
 /// A pixel's fragments up to a step, and the steps they ended with.
 struct Story {
+    const trace::Recording& recording;
     trace::PixelHistory history;
     std::vector<trace::Step> ends; ///< by row
 };
@@ -30,7 +31,7 @@ struct Story {
 Story tell(const trace::Player& player, PixelPos pixel) {
     constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
     const trace::Recording& recording = player.recording();
-    Story story{trace::pixel_history(recording, pixel, everything), {}};
+    Story story{recording, trace::pixel_history(recording, pixel, everything), {}};
 
     // Forget what comes after the step
     trace::PixelHistory& history = story.history;
@@ -78,7 +79,7 @@ std::string as_table(const Story& story) {
         const trace::HistoryRow& row = history.rows[i];
         text += table_line(
             fmt::format("#{}", story.ends[i].id),
-            fmt::format("object {} / triangle {}", row.object, row.triangle),
+            trace::primitive_path(story.recording, row.object, row.triangle),
             fmt::format("{:.8f}  {:.8f}", row.depth, row.stored_depth),
             name_of(row.fate),
             color_text(row.after)

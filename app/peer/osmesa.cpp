@@ -85,13 +85,21 @@ GLuint drawing_program(Session& session, const DrawOptions& options) {
 
 /// Each triangle adds its own power of two, built from its exponent bits so that no rounding is
 /// involved.
-constexpr const char* coverage_vertex_shader = R"(#version 330 core
+constexpr const char* coverage_vertex_source = R"(#version 330 core
 layout(location = 0) in vec4 clip_position;
 flat out float weight;
 void main() {
     gl_Position = clip_position;
-    weight = uintBitsToFloat(uint(127 + gl_VertexID / 3) << 23);
+    weight = uintBitsToFloat(uint(127 + gl_VertexID / CORNERS) << 23);
 })";
+
+/// The shader above for primitives of so many corners.
+std::string coverage_vertex_shader(Primitive primitive) {
+    constexpr std::string_view word = "CORNERS";
+    std::string source = coverage_vertex_source;
+    source.replace(source.find(word), word.size(), std::to_string(static_cast<int>(primitive)));
+    return source;
+}
 
 constexpr const char* coverage_fragment_shader = R"(#version 330 core
 flat in float weight;
@@ -149,9 +157,14 @@ void set_attribute(
     );
 }
 
-/// Draws corners that already lie in the mirrored scene, three per triangle.
+/// Draws corners that already lie in the mirrored scene, as many per primitive as it has.
 template <typename Corner>
-void draw_corners(const Gl& gl, GLuint buffer, const std::vector<Corner>& corners) {
+void draw_corners(
+    const Gl& gl,
+    GLuint buffer,
+    const std::vector<Corner>& corners,
+    Primitive primitive = Primitive::triangles
+) {
     gl.bind_buffer(GL_ARRAY_BUFFER, buffer);
     gl.buffer_data(
         GL_ARRAY_BUFFER,
@@ -166,7 +179,10 @@ void draw_corners(const Gl& gl, GLuint buffer, const std::vector<Corner>& corner
     } else { // positions alone
         set_attribute(gl, 0, 4, sizeof(Corner), 0);
     }
-    gl.draw_arrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+    const GLenum mode = primitive == Primitive::points  ? GL_POINTS
+                        : primitive == Primitive::lines ? GL_LINES
+                                                        : GL_TRIANGLES;
+    gl.draw_arrays(mode, 0, static_cast<GLsizei>(corners.size()));
 }
 
 /// Every triangle adds to what is there.
@@ -304,8 +320,9 @@ Image Context::draw(
 }
 
 Coverage Context::coverage(std::span<const glm::vec4> corners, const CoverageOptions& options) {
-    if (corners.size() % 3 != 0 || corners.size() > 3 * coverage_batch_size) {
-        return {.error = "coverage takes three corners for each of at most 24 triangles"};
+    const auto each = static_cast<std::size_t>(options.primitive);
+    if (corners.size() % each != 0 || corners.size() > each * coverage_batch_size) {
+        return {.error = "coverage takes all corners of at most 24 primitives"};
     }
     if (std::string complaint = complain_about_size(
             options.width, options.height, options.samples, options.wide_viewport
@@ -329,9 +346,13 @@ Coverage Context::coverage(std::span<const glm::vec4> corners, const CoverageOpt
     target.bind();
     set_fixed_functions(gl, coverage_state(options));
     gl.clear_floats(GL_COLOR, 0, std::array{0.0F, 0.0F, 0.0F, 0.0F}.data());
-    gl.use_program(state_->session->program(coverage_vertex_shader, coverage_fragment_shader));
+    gl.use_program(state_->session->program(
+        coverage_vertex_shader(options.primitive), coverage_fragment_shader
+    ));
     gl.bind_vertex_array(state_->vertex_array);
-    draw_corners(gl, state_->vertex_buffer, mirror(corners, options.wide_viewport));
+    draw_corners(
+        gl, state_->vertex_buffer, mirror(corners, options.wide_viewport), options.primitive
+    );
 
     state_->coverage_bits.resize(target.texel_count());
     target.read_color(0, state_->coverage_bits.data());

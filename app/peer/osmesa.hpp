@@ -191,7 +191,14 @@ struct Image {
 /// How many triangles one call of Context::coverage can tell apart.
 inline constexpr std::size_t coverage_batch_size = 24;
 
+enum class Primitive {
+    points = 1,
+    lines = 2,
+    triangles = 3
+};
+
 struct CoverageOptions {
+    Primitive primitive = Primitive::triangles; ///< what the corners make, by so many
     /// As in DrawOptions.
     int width = 256;
     int height = 256;
@@ -228,9 +235,9 @@ public:
         const DrawOptions& options
     );
 
-    /// Which pixels each of up to 24 triangles covers, all in one pass: `corners` are three clip
-    /// positions per triangle. Neither culls nor tests depth. For checking triangles by the ten
-    /// thousand.
+    /// Which pixels each of up to 24 triangles (lines, points) covers, all in one pass: `corners`
+    /// are three (two, one) clip positions for each. Neither culls nor tests depth. For checking
+    /// triangles by the ten thousand.
     [[nodiscard]] Coverage
     coverage(std::span<const glm::vec4> corners, const CoverageOptions& options);
 

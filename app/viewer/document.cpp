@@ -140,7 +140,7 @@ const std::string& Document::sentence() {
 
 const std::vector<trace::TraversalCost>& Document::traversal_costs() {
     const std::optional<std::uint32_t> triangle = current_triangle();
-    if (!triangle) {
+    if (!triangle || !player_->current().of_triangle()) {
         traversal_costs_.clear();
     } else if (triangle != costs_triangle_) {
         const trace::Step& step = player_->current();

@@ -7,6 +7,7 @@
 #include "app/viewer/widgets.hpp"
 #include "core/explain/formulas.hpp"
 #include "core/explain/lighting.hpp"
+#include "core/explain/line.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/samples.hpp"
 #include "core/explain/sentence.hpp"
@@ -201,9 +202,8 @@ void history_row(Context& context, const trace::HistoryRow& row) {
     const scene::Settings& settings =
         context.document.recording().frame->calls()[row.object].settings;
     tooltip(fmt::format(
-        "object {} / triangle {}\n{}\ndouble click goes to this step",
-        row.object,
-        row.triangle,
+        "{}\n{}\ndouble click goes to this step",
+        trace::primitive_path(context.document.recording(), row.object, row.triangle),
         comparison(row, settings)
     ));
     ImGui::PopID();
@@ -254,6 +254,31 @@ void draw_rows(Context& context, const trace::PixelHistory& history) {
     ImGui::EndTable();
 }
 
+/// A pixel of a line: the decision that led to it, and its fragment.
+void draw_line_pixel(Context& context, const trace::StepDetail& detail) {
+    const Theme& theme = context.theme;
+    const trace::PieceDetail* piece = context.document.piece_detail();
+    const raster::LineStep& step = *detail.traversal->line;
+    heading(
+        theme,
+        fmt::format(
+            "Pixel {} of {}",
+            explain::pixel(step.pixel),
+            trace::primitive_name(context.document.player().current())
+        )
+    );
+    const bool here = context.document.player().current().kind == trace::StepKind::line_step;
+    const auto algorithm = context.document.settings().line_algorithm;
+    for (const explain::Formula& formula :
+         explain::line_step_formulas(*piece->line, step, algorithm)) {
+        draw_formula(context, formula, here);
+    }
+    if (detail.fragment) {
+        draw_life(context, *detail.fragment);
+        draw_life_beside(context, step.pixel);
+    }
+}
+
 } // namespace
 
 void swatch(const Theme& theme, const glm::vec4& color) {
@@ -270,6 +295,10 @@ void draw_fragment_tab(Context& context) {
     const trace::StepDetail& detail = context.document.player().detail();
     if (detail.resolve) {
         draw_resolve(context, *detail.resolve);
+        return;
+    }
+    if (detail.traversal && detail.traversal->line) {
+        draw_line_pixel(context, detail);
         return;
     }
     if (!detail.visit) {

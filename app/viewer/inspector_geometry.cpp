@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -171,8 +172,20 @@ void draw_passes(const Theme& theme, const TriangleDetail& triangle) {
     }
 }
 
+void draw_line_piece(const Theme& theme, const raster::LineSetup& line) {
+    row(theme, "pixels", fmt::format("{}", line.steps + 1));
+    row(theme, "from", explain::pixel(line.first));
+    row(theme, "to", explain::pixel(line.last));
+    row(theme, "along", fmt::format("n = {} ({})", line.steps, line.steep ? "y" : "x"));
+    row(theme, "across", fmt::format("m = {} ({})", line.rise, line.steep ? "x" : "y"));
+}
+
 void draw_piece(const Context& context, const trace::PieceDetail& piece) {
     const Theme& theme = context.theme;
+    if (piece.line) {
+        draw_line_piece(theme, *piece.line);
+        return;
+    }
     row(theme, "signed 2A", fmt::format("{} px²", explain::square_pixels(piece.signed_doubled_area))
     );
     tooltip(fmt::format("{} / 65 536 px²", explain::whole(piece.signed_doubled_area)));
@@ -268,10 +281,15 @@ void draw_triangle_tab(Context& context) {
         return;
     }
     const trace::Step& step = context.document.player().current();
-    heading(theme, fmt::format("Triangle {} of object {}", triangle->triangle, triangle->object));
+    std::string name = trace::primitive_name(step);
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+    heading(theme, fmt::format("{} of object {}", name, triangle->object));
+    const scene::TriangleIndices& v = triangle->vertices;
     row(theme,
         "vertices",
-        fmt::format("{} {} {}", triangle->vertices.a, triangle->vertices.b, triangle->vertices.c));
+        step.of_triangle()                             ? fmt::format("{} {} {}", v.a, v.b, v.c)
+        : step.primitive == scene::PrimitiveKind::line ? fmt::format("{} {}", v.a, v.b)
+                                                       : fmt::format("{}", v.a));
     row(theme, "verdict", std::string{name_of(triangle->verdict)});
     frame_if_pointed(context, {"verdict"});
     caption(theme, std::string{named(triangle->verdict).explanation} + ".");
@@ -296,7 +314,7 @@ void draw_triangle_tab(Context& context) {
         heading(
             theme,
             several ? fmt::format("Piece {}, of {} after clipping", number, triangle->pieces.size())
-                    : std::string{"Area and edges"}
+                    : std::string{piece->line ? "The walk" : "Area and edges"}
         );
         draw_piece(context, *piece);
     }

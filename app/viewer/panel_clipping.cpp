@@ -324,10 +324,16 @@ void draw_clipping(Context& context) {
         return;
     }
     const pipeline::DrawCall& call = context.document.recording().frame->calls()[triangle->object];
+    const scene::PrimitiveKind kind = triangle->primitive.kind;
     heading(
         theme,
         fmt::format(
-            "Triangle {} of object {} against the view volume", triangle->triangle, triangle->object
+            "{} {} of object {} against the view volume",
+            kind == scene::PrimitiveKind::triangle ? "Triangle"
+            : kind == scene::PrimitiveKind::line   ? "Line"
+                                                   : "Point",
+            triangle->primitive.number,
+            triangle->object
         )
     );
     draw_outcodes(theme, *triangle, call.volume.count, call.settings.clip_enabled);

@@ -150,7 +150,7 @@ void draw_objects(Context& context) {
                 context.viewer.seek(trace::last_step_of_triangle(recording, range.first_triangle));
             }
             tooltip(fmt::format(
-                "{}: {} vertices, {} triangles. Click to go to its first triangle.",
+                "{}: {} vertices, {} primitives. Click to go to its first triangle.",
                 scene.objects[index].name,
                 range.vertex_count,
                 range.triangle_count

@@ -147,11 +147,12 @@ void draw_triangle_outline(const Canvas& canvas, const trace::PieceDetail& piece
         corners[k] = canvas.at(to_pixels(v.fixed.x), to_pixels(v.fixed.y));
     }
     const ImU32 color = canvas.theme[Tone::outline];
+    const unsigned count = !piece.line ? 3 : piece.line->from == piece.line->to ? 1 : 2;
     for (unsigned k = 0; k < 3; ++k) {
         line_with_halo(canvas, corners[k], corners[(k + 1) % 3], color);
     }
     ImFont* font = canvas.theme.fonts.small_mono;
-    for (unsigned k = 0; k < 3; ++k) {
+    for (unsigned k = 0; k < count; ++k) {
         const std::string name = fmt::format("v{}", k);
         const ImVec2 size = text_size(font, name);
         const float pad = canvas.theme.pixels(3);

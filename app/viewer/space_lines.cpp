@@ -15,7 +15,8 @@ bool is_of_object(Space space) {
     return space == Space::object;
 }
 
-/// Calls `visit(map, triangle)` for every triangle shown, of large frames for every so many.
+/// Calls `visit(map, triangle)` for every triangle, line and point shown, of large frames for every
+/// so many.
 template <typename Visit>
 std::size_t for_each_triangle(const Document& document, const SpaceView& view, Visit&& visit) {
     const trace::Recording& recording = document.recording();
@@ -25,14 +26,14 @@ std::size_t for_each_triangle(const Document& document, const SpaceView& view, V
     };
     std::size_t edges = 0;
     for (const pipeline::DrawCall& call : recording.frame->calls()) {
-        edges += shown(call) ? call.triangles().size() * 3 : 0;
+        edges += shown(call) ? std::size_t{call.primitive_count()} * 3 : 0;
     }
     const std::size_t stride = edges / most_edges + 1;
     for (const pipeline::DrawCall& call : recording.frame->calls()) {
         if (shown(call)) {
             const SpaceMap map{recording, view, call.object};
-            for (std::size_t i = 0; i < call.triangles().size(); i += stride) {
-                visit(call, map, call.triangles()[i]);
+            for (std::size_t i = 0; i < call.primitive_count(); i += stride) {
+                visit(call, map, call.primitive(static_cast<std::uint32_t>(i)).vertices);
             }
         }
     }

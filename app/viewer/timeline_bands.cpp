@@ -77,7 +77,10 @@ void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t
     unit_.clear();
     unit_range_.first = recording.draw_steps[draw];
     unit_range_.last = trace::last_step_of_draw(recording, draw);
-    unit_range_.label = fmt::format("triangle {}", recording.order.draws[draw].triangle);
+    const pipeline::Draw& drawn = recording.order.draws[draw];
+    const scene::Primitive primitive =
+        recording.frame->calls()[drawn.object].primitive(drawn.triangle);
+    unit_range_.label = fmt::format("{} {}", name_of(primitive.kind), primitive.number);
     const trace::StepId count = unit_range_.last - unit_range_.first + 1;
     const trace::StepId stride = (count + most_asked - 1) / most_asked;
     for (trace::StepId id = unit_range_.first; id <= unit_range_.last; id += stride) {

@@ -55,7 +55,8 @@ clip_story(const trace::TriangleDetail& triangle, const scene::Settings& setting
                 math::signed_distance(plane, math::to_vec4(pass.before[i].position))
             );
         }
-        for (int i = 0; i < pass.before.count; ++i) {
+        const int edges = pass.before.count == 2 ? 1 : pass.before.count; // a line has one
+        for (int i = 0; i < edges; ++i) {
             const int j = (i + 1) % pass.before.count;
             const float di = told.distances[static_cast<std::size_t>(i)];
             const float dj = told.distances[static_cast<std::size_t>(j)];

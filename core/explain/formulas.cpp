@@ -2,6 +2,7 @@
 
 #include "core/explain/clip_story.hpp"
 #include "core/explain/lighting.hpp"
+#include "core/explain/line.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/samples.hpp"
 #include "core/explain/sentence.hpp"
@@ -305,6 +306,10 @@ Formula merge_formula(const pipeline::Merge& merge, const scene::Settings& setti
         point(merge.after)};
 }
 
+int corner_count(scene::PrimitiveKind kind) {
+    return kind == scene::PrimitiveKind::triangle ? 3 : kind == scene::PrimitiveKind::line ? 2 : 1;
+}
+
 std::vector<Formula> triangle_step_formulas(
     const trace::TriangleDetail& triangle, const trace::Step& step, const scene::Settings& settings
 ) {
@@ -320,7 +325,7 @@ std::vector<Formula> triangle_step_formulas(
     }
     const trace::PieceDetail& piece = triangle.pieces[index];
     std::vector<Formula> list;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < corner_count(triangle.primitive.kind); ++k) {
         const geometry::WindowVertex& v = piece.window[static_cast<unsigned>(k)];
         if (step.kind == StepKind::divide) {
             list.push_back(inv_w_formula(k, v));
@@ -334,6 +339,8 @@ std::vector<Formula> triangle_step_formulas(
         list = plane_setup_formulas(*piece.planes);
     } else if (step.kind == StepKind::setup && piece.setup) {
         list = setup_formulas(*piece.setup);
+    } else if (step.kind == StepKind::setup && piece.line) {
+        list = line_setup_formulas(*piece.line, settings.line_algorithm);
     }
     return list;
 }
@@ -348,6 +355,7 @@ std::vector<Formula> only_of_step(
     if (kind == StepKind::interpolate) {
         const auto before_test = [](const Formula& f) {
             return f.title.find("weights") != std::string::npos ||
+                   f.title.find("along the line") != std::string::npos ||
                    f.title.find("linear in the window") != std::string::npos;
         };
         std::vector<Formula> list;
@@ -466,6 +474,9 @@ std::vector<Formula> fragment_formulas(
     if (piece.setup && settings.interpolation == scene::InterpolationKind::perspective) {
         list.push_back(perspective_formula(fragment, piece));
     }
+    if (piece.line) {
+        list = line_fragment_formulas(fragment, piece);
+    }
     if (fragment.lit) {
         const std::vector<Formula> lighting =
             lighting_formulas(*fragment.shaded->terms, *fragment.lit);
@@ -514,6 +525,9 @@ std::vector<Formula> formulas(
         std::vector<Formula> list =
             running_edge_formulas(*piece->setup, *detail.visit, settings.traversal);
         return list.empty() ? edge_formulas(*piece->setup, *detail.visit) : list;
+    }
+    if (step.kind == StepKind::line_step && piece != nullptr) {
+        return line_step_formulas(*piece->line, *detail.traversal->line, settings.line_algorithm);
     }
     if (step.kind == StepKind::plane_test && piece != nullptr) {
         return plane_formulas(step, *piece->planes, *detail.traversal->planes);

@@ -1,11 +1,14 @@
 #include "core/explain/sentence.hpp"
 
+#include "core/explain/line.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/order.hpp"
 #include "core/explain/samples.hpp"
 #include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace hs::explain {
 namespace {
@@ -16,11 +19,11 @@ using trace::StepKind;
 
 /// "triangle 12", "triangle 12 piece 1"; with the object where there is more than one.
 std::string triangle_name(const trace::Recording& recording, const Step& step) {
-    std::string name = fmt::format("triangle {}", step.triangle);
+    std::string name = trace::primitive_name(step);
     if (recording.objects.size() > 1) {
         name += fmt::format(" of object {}", step.object);
     }
-    if (step.has_piece() && (step.clipped || step.part)) {
+    if (step.has_piece() && (step.clipped || step.part) && step.of_triangle()) {
         name += fmt::format(", piece {}", step.piece);
     }
     return name;
@@ -77,6 +80,14 @@ std::string outcodes_sentence(const std::string& who, const trace::TriangleDetai
 std::string
 clip_sentence(const std::string& who, const Step& step, const trace::TriangleDetail& triangle) {
     for (const trace::ClipPass& pass : triangle.passes) {
+        if (pass.plane == step.plane && !step.of_triangle()) {
+            return fmt::format(
+                "Plane {} cuts {}: {}.",
+                name_of(step.plane),
+                who,
+                pass.after.count == 0 ? "nothing is left" : "an end moves onto the plane"
+            );
+        }
         if (pass.plane == step.plane) {
             return fmt::format(
                 "Plane {} cuts {}: a polygon of {} vertices becomes one of {}.",
@@ -248,6 +259,9 @@ std::string piece_sentence(
     if (step.kind == StepKind::facing) {
         return facing_sentence(who, piece, front);
     }
+    if (piece.line) {
+        return line_setup_sentence(who, *piece.line);
+    }
     if (piece.planes && !piece.setup) {
         return fmt::format("Three planes through the eye and the edges of {} are ready.", who);
     }
@@ -275,9 +289,14 @@ std::string triangle_sentence(
 
 std::string end_sentence(const trace::Recording& recording) {
     const trace::Counters& all = recording.counters;
+    const bool only_triangles =
+        std::ranges::all_of(recording.scene().objects, [](const scene::Object& object) {
+            return object.mesh->lines.empty() && object.mesh->points.empty();
+        });
     return fmt::format(
-        "The frame is finished: {} triangles made {} fragments, {} of them were written.",
+        "The frame is finished: {} {} made {} fragments, {} of them were written.",
         whole(static_cast<std::int64_t>(all.triangles)),
+        only_triangles ? "triangles" : "triangles, lines and points",
         whole(static_cast<std::int64_t>(all.fragments)),
         whole(static_cast<std::int64_t>(all.fates[0]))
     );
@@ -335,6 +354,11 @@ std::string sentence(const trace::Player& player) {
     if (detail.traversal && !step.in_fragment()) {
         const auto& piece = detail.triangle->pieces[static_cast<std::size_t>(step.piece)];
         const std::string who = triangle_name(recording, step);
+        if (step.kind == StepKind::line_step) {
+            return line_step_sentence(
+                who, *piece.line, *detail.traversal->line, recording.settings().line_algorithm
+            );
+        }
         if (step.kind == StepKind::plane_test) {
             return plane_sentence(who, step, *piece.planes, *detail.traversal->planes);
         }

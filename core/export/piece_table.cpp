@@ -74,6 +74,9 @@ std::shared_ptr<const Pieces> gather(const trace::Recording& recording) {
             clips && record.crossed != 0 && record.verdict != geometry::TriangleVerdict::outside;
         for (const std::uint32_t index : recording.draws_of_triangle(t)) {
             const pipeline::Draw& draw = recording.order.draws[index];
+            if (draw.triangle >= call.triangles().size()) {
+                continue; // of a line there are no pieces
+            }
             if (clipped || draw.part >= 0) {
                 add_fan(*all, t, weighted_polygon(call, recording.order, draw));
             }

@@ -7,7 +7,7 @@ namespace hs::exporting {
 Table traversal_table(const trace::Player& player) {
     const trace::Step& step = player.current();
     std::optional<trace::TriangleNumber> only;
-    if (step.in_triangle()) {
+    if (step.of_triangle()) {
         only = trace::TriangleNumber{step.object, step.triangle};
     }
     const auto costs = std::make_shared<const std::vector<trace::TraversalCost>>(

@@ -30,15 +30,24 @@ Table triangle_table(const SharedRecording& recording) {
     ));
     table.columns.push_back(column<std::uint32_t>("triangle.face", [recording](std::size_t row) {
         const TriangleRow at = triangle_row(*recording, row);
-        return at.mesh.triangle_polygon[at.triangle];
+        const scene::Primitive primitive = at.mesh.primitive(at.triangle);
+        const bool triangle = primitive.kind == scene::PrimitiveKind::triangle;
+        return triangle ? at.mesh.triangle_polygon[at.triangle] : primitive.number;
     }));
     table.columns
         .push_back(column<std::uint32_t, 3>("triangle.vertices", [recording](std::size_t row) {
             const TriangleRow at = triangle_row(*recording, row);
-            const scene::TriangleIndices& corners = at.mesh.triangles[at.triangle];
+            const scene::TriangleIndices corners = at.mesh.primitive(at.triangle).vertices;
             const std::uint32_t first = recording->objects[at.object].first_vertex;
             return std::array{first + corners.a, first + corners.b, first + corners.c};
         }));
+    table.columns.push_back(named_column<scene::PrimitiveKind>(
+        "triangle.primitive",
+        [recording](std::size_t row) {
+            const TriangleRow at = triangle_row(*recording, row);
+            return at.mesh.primitive(at.triangle).kind;
+        }
+    ));
     table.columns.push_back(named_column<geometry::TriangleVerdict>(
         "triangle.verdict",
         [recording](std::size_t row) { return recording->triangles[row].verdict; }

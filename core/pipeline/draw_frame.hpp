@@ -37,9 +37,11 @@ void draw_band(const Frame& frame, const DrawOrder& order, const PixelRect& band
     for (const Draw& draw : order.draws) {
         const DrawCall& call = frame.calls()[draw.object];
         const std::vector<ShadedVertex>& v = call.vertices;
-        const scene::TriangleIndices& t = call.triangles()[draw.triangle];
-        // A part's rounding may reach a hair beyond its triangle
-        if (draw.part >= 0 || !misses(band, v[t.a], v[t.b], v[t.c])) {
+        const scene::Primitive primitive = call.primitive(draw.triangle);
+        const auto& [a, b, c] = primitive.vertices;
+        // A part's rounding may reach a hair beyond its triangle, a line's beyond its vertices
+        const bool whole = draw.part < 0 && primitive.kind == scene::PrimitiveKind::triangle;
+        if (!whole || !misses(band, v[a], v[b], v[c])) {
             run_draw(frame, order, draw, {.band = band}, target, nothing);
         }
     }

@@ -15,7 +15,7 @@ public:
         std::uint32_t first = 0;
         for (const DrawCall& call : frame.calls()) {
             first_.push_back(first);
-            first += static_cast<std::uint32_t>(call.triangles().size());
+            first += call.primitive_count();
         }
     }
 
@@ -74,7 +74,7 @@ private:
 DrawOrder file_order(const Frame& frame) {
     DrawOrder order;
     for (const DrawCall& call : frame.calls()) {
-        for (std::uint32_t i = 0; i < call.triangles().size(); ++i) {
+        for (std::uint32_t i = 0; i < call.primitive_count(); ++i) {
             order.draws.push_back({call.object, i});
         }
     }

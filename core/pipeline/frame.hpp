@@ -43,6 +43,13 @@ struct DrawCall {
     [[nodiscard]] const std::vector<scene::TriangleIndices>& triangles() const {
         return vertex.mesh->triangles;
     }
+    /// Triangles, lines and points, numbered through.
+    [[nodiscard]] std::uint32_t primitive_count() const {
+        return static_cast<std::uint32_t>(vertex.mesh->primitive_count());
+    }
+    [[nodiscard]] scene::Primitive primitive(std::uint32_t index) const {
+        return vertex.mesh->primitive(index);
+    }
 };
 
 /// Not copyable: draw calls point at the lights and at the scene's meshes.

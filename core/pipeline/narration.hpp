@@ -76,6 +76,7 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     geometry::TriangleVerdict verdict,
     const raster::TriangleSetup& setup,
     const raster::HomogeneousSetup& planes,
+    const raster::LineSetup& line,
     const raster::Fragment& fragment,
     const shading::ShadedFragment& shaded,
     const DepthTest& depth,
@@ -98,6 +99,7 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     t.set_up(setup);          // *step*
     t.oriented(0.0, verdict); // *step*: homogeneous, across the eye, instead of the three above
     t.planes_set_up(planes);  // *step*: homogeneous, instead of set_up
+    t.line_set_up(line);      // *step*: lines and points, instead of faced and set_up
     // Here the traversal speaks: raster::TraversalTrace
     t.fragment_sampled(sampled);     // with several samples, before each fragment
     t.interpolated(fragment);        // *step*
@@ -134,6 +136,7 @@ struct NullTrace : raster::SilentTraversal, visibility::SilentOrder {
     void edge_tests(int) {}
     void oriented(double, geometry::TriangleVerdict) {}
     void planes_set_up(const raster::HomogeneousSetup&) {}
+    void line_set_up(const raster::LineSetup&) {}
     void fragment_sampled(const FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}

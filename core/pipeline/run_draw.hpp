@@ -1,7 +1,7 @@
-// Whatever comes next in the order of draws: a whole triangle, or a part of one.
+// Whatever comes next in the order of draws: a triangle, a part of one, a line or a point.
 #pragma once
 
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_line.hpp"
 
 namespace hs::pipeline {
 
@@ -59,6 +59,9 @@ geometry::TriangleVerdict run_draw(
     const DrawCall& call = frame.calls()[draw.object];
     if (draw.stuck) {
         return pass_over(call, draw.triangle, trace);
+    }
+    if (draw.triangle >= call.triangles().size()) {
+        return draw_line(call, draw.triangle, scope, target, trace);
     }
     if (draw.part < 0) {
         return draw_triangle(call, draw.triangle, scope, target, trace);

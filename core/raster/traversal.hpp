@@ -9,6 +9,7 @@
 #include "core/raster/active_edges.hpp"
 #include "core/raster/cost.hpp"
 #include "core/raster/edge_function.hpp"
+#include "core/raster/line.hpp"
 #include "core/raster/plane_test.hpp"
 #include "core/raster/sample_test.hpp"
 #include "core/raster/scan_edge.hpp"
@@ -42,7 +43,8 @@ concept TraversalTrace = requires(
     const ActiveEdges& active,
     const Span& span,
     const PlaneTest& planes,
-    const SampleTest& sample
+    const SampleTest& sample,
+    const LineStep& line
 ) {
     trace.unit(unit);                     // a unit begins
     trace.cost(cost);                     // spent since it last said so, toward the next step
@@ -53,6 +55,7 @@ concept TraversalTrace = requires(
     trace.edges_activated(active);        // *step*: edge table, per scanline
     trace.span_found(span);               // *step*: edge walk and edge table, per scanline
     trace.planes_tested(pixel, planes);   // *step*: homogeneous, per pixel
+    trace.line_stepped(line);             // *step*: lines and points, per pixel
 };
 
 /// A sink that only counts the pixels asked, not what was found there.
@@ -72,6 +75,7 @@ struct SilentTraversal {
     void edges_activated(const ActiveEdges&) {}
     void span_found(const Span&) {}
     void planes_tested(PixelPos, const PlaneTest&) {}
+    void line_stepped(const LineStep&) {}
 };
 static_assert(TraversalTrace<SilentTraversal>);
 

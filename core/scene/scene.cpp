@@ -86,7 +86,7 @@ Settings object_settings(const Scene& scene, const Object& object) {
 std::size_t triangle_count(const Scene& scene) {
     std::size_t count = 0;
     for (const Object& object : scene.objects) {
-        count += object.mesh->triangles.size();
+        count += object.mesh->primitive_count();
     }
     return count;
 }

@@ -82,8 +82,8 @@ glm::mat4 object_to_world(const Object& object);
 /// The frame's settings with the object's overrides applied.
 Settings object_settings(const Scene& scene, const Object& object);
 
-/// Over all objects, in file order: the number that `triangle` exports and step paths count with is
-/// per object.
+/// Of all primitives over all objects, in file order: the number that `triangle` exports and step
+/// paths count with is per object.
 std::size_t triangle_count(const Scene& scene);
 
 } // namespace hs::scene

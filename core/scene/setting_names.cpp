@@ -1,4 +1,5 @@
 // The names of every choice a setting offers, each with the sentence that explains it.
+#include "core/scene/mesh.hpp"
 #include "core/scene/settings.hpp"
 
 namespace hs {
@@ -132,6 +133,19 @@ constexpr Named<DepthOrder> depth_order_names[] = {
      "the depth test comes before shading, so hidden fragments cost no shading"},
 };
 
+constexpr Named<LineAlgorithm> line_algorithm_names[] = {
+    {LineAlgorithm::bresenham,
+     "bresenham",
+     "an error term in whole numbers decides whether the line moves across at each pixel"},
+    {LineAlgorithm::dda, "dda", "the slope is added at each pixel, and the sum is rounded"},
+};
+
+constexpr Named<PrimitiveKind> primitive_names[] = {
+    {PrimitiveKind::triangle, "triangle", "three vertices, and what lies between them"},
+    {PrimitiveKind::line, "line", "two vertices, and a line of pixels from one to the other"},
+    {PrimitiveKind::point, "point", "one vertex, and the pixel that holds it"},
+};
+
 constexpr Named<ColorFormat> color_format_names[] = {
     {ColorFormat::rgba8,
      "rgba8",
@@ -234,6 +248,14 @@ std::span<const Named<DepthConvention>> names<DepthConvention>() {
 template <>
 std::span<const Named<DepthOrder>> names<DepthOrder>() {
     return depth_order_names;
+}
+template <>
+std::span<const Named<LineAlgorithm>> names<LineAlgorithm>() {
+    return line_algorithm_names;
+}
+template <>
+std::span<const Named<PrimitiveKind>> names<PrimitiveKind>() {
+    return primitive_names;
 }
 template <>
 std::span<const Named<ColorFormat>> names<ColorFormat>() {

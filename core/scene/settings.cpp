@@ -384,6 +384,9 @@ std::vector<Row> algorithm_rows() {
          ),
          assign_tile_size,
          [](const Settings& settings) { return SettingValue{std::int64_t{settings.tile_size}}; }},
+        choice_row<&Settings::line_algorithm>(
+            {"line.algorithm", "how the pixels of a line are found", ""}
+        ),
         {info(
              {"samples",
               "points at which every pixel is asked whether a triangle covers it: 1, 2, 4 or 8",

@@ -83,6 +83,10 @@ enum class DepthOrder : std::uint8_t {
     late,
     early
 };
+enum class LineAlgorithm : std::uint8_t {
+    bresenham,
+    dda
+};
 enum class ColorFormat : std::uint8_t {
     rgba8,
     rgba32f
@@ -121,6 +125,7 @@ struct Settings {
     Visibility visibility = Visibility::z_buffer;
     PaintersKey painters_key = PaintersKey::farthest;
     TraversalKind traversal = TraversalKind::bounding_box;
+    LineAlgorithm line_algorithm = LineAlgorithm::bresenham;
     int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
     int samples = 1;   ///< points a pixel is asked at: 1, 2, 4 or 8
     Sampling sampling = Sampling::multisample;
@@ -248,6 +253,8 @@ template <>
 std::span<const Named<scene::DepthConvention>> names<scene::DepthConvention>();
 template <>
 std::span<const Named<scene::DepthOrder>> names<scene::DepthOrder>();
+template <>
+std::span<const Named<scene::LineAlgorithm>> names<scene::LineAlgorithm>();
 template <>
 std::span<const Named<scene::ColorFormat>> names<scene::ColorFormat>();
 template <>

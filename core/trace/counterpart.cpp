@@ -15,7 +15,7 @@ std::optional<StepId> find(const Recording& other, const std::string& path) {
 }
 
 std::string triangle_path(const Step& step) {
-    return fmt::format("object {} / triangle {}", step.object, step.triangle);
+    return fmt::format("object {} / {}", step.object, primitive_name(step));
 }
 
 /// The fragment of the same triangle at the same pixel; where several pieces made one, the first.

@@ -46,6 +46,7 @@ public:
         triangle_.pieces.back().planes = planes;
         triangle_.pieces.back().setup = planes.window;
     }
+    void line_set_up(const raster::LineSetup& line) { triangle_.pieces.back().line = line; }
     void fragment_sampled(const pipeline::FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
@@ -106,6 +107,12 @@ public:
         if (!reached_) {
             traversal_->span = span;
             reached_ = is_step(StepKind::span, {0, span.row});
+        }
+    }
+    void line_stepped(const raster::LineStep& line) {
+        if (!reached_) {
+            traversal_->line = line;
+            reached_ = is_step(StepKind::line_step, line.pixel);
         }
     }
     void planes_tested(PixelPos pixel, const raster::PlaneTest& test) {
@@ -193,7 +200,8 @@ empty_triangle_detail(const Recording& recording, std::uint32_t object, std::uin
     TriangleDetail detail;
     detail.object = object;
     detail.triangle = triangle;
-    detail.vertices = call.triangles()[triangle];
+    detail.primitive = call.primitive(triangle);
+    detail.vertices = detail.primitive.vertices;
     for (int corner = 0; corner < 3; ++corner) {
         detail.corners[static_cast<unsigned>(corner)] =
             vertex_detail(recording, object, detail.vertices[corner]);

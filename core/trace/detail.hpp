@@ -45,11 +45,13 @@ struct PieceDetail {
     std::optional<raster::TriangleSetup> setup; ///< empty: culled, degenerate or without a place
     std::optional<raster::HomogeneousSetup> planes; ///< homogeneous rasterization
     std::optional<double> determinant;              ///< its facing, if a vertex has no place
+    std::optional<raster::LineSetup> line;          ///< lines and points
 };
 
 struct TriangleDetail {
     std::uint32_t object = 0;
     std::uint32_t triangle = 0; ///< of the object
+    scene::Primitive primitive; ///< a triangle, or the line or point that counts as one
     scene::TriangleIndices vertices;
     std::array<VertexDetail, 3> corners;
     geometry::EyeFacing
@@ -74,6 +76,7 @@ struct TraversalDetail {
     std::optional<raster::ActiveEdges> active;   ///< on the step's scanline
     std::optional<raster::Span> span;            ///< likewise
     std::optional<raster::PlaneTest> planes;     ///< of the step's pixel
+    std::optional<raster::LineStep> line;        ///< likewise
 };
 
 /// A fragment's life. Parts it did not reach are empty.

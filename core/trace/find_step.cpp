@@ -21,6 +21,8 @@ struct PathParts {
     std::optional<std::uint32_t> object;
     std::optional<std::uint32_t> vertex;
     std::optional<std::uint32_t> triangle;
+    std::optional<std::uint32_t> line;
+    std::optional<std::uint32_t> point;
     std::optional<std::uint32_t> piece;
     std::optional<geometry::ClipPlane> plane;
     std::optional<PixelPos> tile;
@@ -150,6 +152,8 @@ bool parse_part(std::string_view part, PathParts& parts) {
     }
     std::optional<std::uint32_t>* number = word == "object"   ? &parts.object
                                            : word == "vertex" ? &parts.vertex
+                                           : word == "line"   ? &parts.line
+                                           : word == "point"  ? &parts.point
                                            : word == "piece"  ? &parts.piece
                                                               : nullptr;
     return number != nullptr && (*number = parse_number<std::uint32_t>(rest)).has_value();
@@ -261,7 +265,7 @@ bool matches(const Step& step, const PathParts& parts) {
     }
     // A visit without operation is the edge test itself; a fragment is everything after it
     const bool test = step.kind == StepKind::edge_test || step.kind == StepKind::sample_test ||
-                      step.kind == StepKind::plane_test;
+                      step.kind == StepKind::plane_test || step.kind == StepKind::line_step;
     if (parts.visit && !parts.operation && !test) {
         return false;
     }
@@ -277,21 +281,22 @@ bool matches(const Step& step, const PathParts& parts) {
     return !parts.operation || step.kind == *parts.operation;
 }
 
-std::string describe_missing(const PathParts& parts, std::uint32_t object, std::uint32_t triangle) {
+std::string describe_missing(
+    const Recording& recording, const PathParts& parts, std::uint32_t object, std::uint32_t triangle
+) {
+    const std::string path = primitive_path(recording, object, triangle);
     if (parts.fragment || parts.visit) {
         const PixelPos p = parts.fragment ? *parts.fragment : *parts.visit;
         return fmt::format(
-            "object {} / triangle {} has no such step at pixel {},{}; ask 'pixel {},{}' for its "
-            "edge test",
-            object,
-            triangle,
+            "{} has no such step at pixel {},{}; ask 'pixel {},{}' for its edge test",
+            path,
             p.x,
             p.y,
             p.x,
             p.y
         );
     }
-    return fmt::format("object {} / triangle {} has no such step", object, triangle);
+    return path + " has no such step";
 }
 
 /// The last step of a draw that matches, searched stretch by stretch from its end.
@@ -319,7 +324,7 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
     const ObjectRange& object = recording.objects[*parts.object];
     const std::uint32_t frame_triangle = object.first_triangle + *parts.triangle;
     const bool whole = !parts.piece && !parts.plane && !parts.tile && !parts.scanline &&
-                       !parts.visit && !parts.fragment && !parts.operation;
+                       !parts.visit && !parts.fragment && !parts.sample && !parts.operation;
     if (whole) {
         return last_step_of_triangle(recording, frame_triangle);
     }
@@ -329,7 +334,43 @@ Result<StepId> find_triangle_step(const Recording& recording, const PathParts& p
             return *found;
         }
     }
-    return no_step(describe_missing(parts, *parts.object, *parts.triangle));
+    return no_step(describe_missing(recording, parts, *parts.object, *parts.triangle));
+}
+
+/// What a mesh has of a kind, and where its first one stands among the primitives.
+struct KindRange {
+    std::string_view name;
+    std::size_t first;
+    std::size_t count;
+};
+
+/// A written line or point to its place among the primitives, behind the triangles.
+std::optional<Diagnostic> number_primitive(PathParts& parts, const scene::Mesh& mesh) {
+    const KindRange lines{"line", mesh.triangles.size(), mesh.lines.size()};
+    const KindRange points{"point", lines.first + lines.count, mesh.points.size()};
+    const KindRange triangles{"triangle", 0, mesh.triangles.size()};
+    const KindRange& kind = parts.line ? lines : parts.point ? points : triangles;
+    const std::optional<std::uint32_t> written = parts.line    ? parts.line
+                                                 : parts.point ? parts.point
+                                                               : parts.triangle;
+    if (!written) {
+        return std::nullopt;
+    }
+    if (kind.count == 0) {
+        return no_step(fmt::format("object {} has no {}s", *parts.object, kind.name));
+    }
+    if (*written >= kind.count) {
+        return no_step(fmt::format(
+            "object {} has no {} {}; its {}s are 0 to {}",
+            *parts.object,
+            kind.name,
+            *written,
+            kind.name,
+            kind.count - 1
+        ));
+    }
+    parts.triangle = static_cast<std::uint32_t>(kind.first) + *written;
+    return std::nullopt;
 }
 
 Result<StepId> find_parts(const Recording& recording, PathParts parts) {
@@ -342,7 +383,8 @@ Result<StepId> find_parts(const Recording& recording, PathParts parts) {
     const auto objects = static_cast<std::uint32_t>(recording.objects.size());
     const bool names_pixels =
         parts.visit || parts.fragment || parts.sample || parts.tile || parts.scanline;
-    const bool names_inside = parts.vertex || parts.triangle || names_pixels;
+    const bool names_primitive = parts.triangle || parts.line || parts.point;
+    const bool names_inside = parts.vertex || names_primitive || names_pixels;
     if (!parts.object && names_inside && objects == 1) {
         parts.object = 0;
     }
@@ -366,19 +408,15 @@ Result<StepId> find_parts(const Recording& recording, PathParts parts) {
     if (object.triangle_count == 0) {
         return no_step(fmt::format("object {} has no triangles", *parts.object));
     }
+    const scene::Mesh& mesh = *recording.frame->calls()[*parts.object].vertex.mesh;
+    if (std::optional<Diagnostic> complaint = number_primitive(parts, mesh)) {
+        return *complaint;
+    }
     if (!parts.triangle) {
         if (names_pixels || parts.operation || parts.plane) {
             return no_step("say which triangle, as in 'object 0 / triangle 12 / setup'");
         }
         parts.triangle = object.triangle_count - 1;
-    }
-    if (*parts.triangle >= object.triangle_count) {
-        return no_step(fmt::format(
-            "object {} has no triangle {}; its triangles are 0 to {}",
-            *parts.object,
-            *parts.triangle,
-            object.triangle_count - 1
-        ));
     }
     return find_triangle_step(recording, parts);
 }

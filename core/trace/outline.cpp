@@ -28,7 +28,14 @@ public:
 
     void vertex_run(std::uint32_t, std::uint32_t, int) {}
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
-        at_ = {.id = at_.id, .object = object, .triangle = triangle};
+        const scene::Primitive primitive = recording_.frame->calls()[object].primitive(triangle);
+        const bool numbered = primitive.kind != scene::PrimitiveKind::triangle;
+        at_ = {
+            .id = at_.id,
+            .object = object,
+            .triangle = triangle,
+            .primitive = primitive.kind,
+            .number = numbered ? primitive.number : 0};
     }
     void part_begin(int first_piece) {
         at_.part = true;
@@ -47,6 +54,8 @@ public:
             .id = at_.id,
             .object = at_.object,
             .triangle = at_.triangle,
+            .primitive = at_.primitive,
+            .number = at_.number,
             .part = at_.part,
             .clipped = at_.clipped,
             .piece = piece};
@@ -57,6 +66,7 @@ public:
     void oriented(double, geometry::TriangleVerdict) { add(StepKind::facing); }
     void set_up(const raster::TriangleSetup&) { add(StepKind::setup); }
     void planes_set_up(const raster::HomogeneousSetup&) { add(StepKind::setup); }
+    void line_set_up(const raster::LineSetup&) { add(StepKind::setup); }
     void unit(int unit) {
         if (!std::exchange(listening_, true)) {
             spent_ = {}; // a re-run that resumes inside a triangle begins with a unit
@@ -80,6 +90,11 @@ public:
         at_.pixel = pixel;
         at_.covered = test.inside;
         add(StepKind::plane_test);
+    }
+    void line_stepped(const raster::LineStep& line) {
+        at_.pixel = line.pixel;
+        at_.covered = true;
+        add(StepKind::line_step);
     }
     void tile_tested(const raster::TileTest& tile) {
         at_.pixel = tile.origin;

@@ -138,6 +138,11 @@ public:
         step(StepKind::setup);
         run_open_ = false;
     }
+    void line_set_up(const raster::LineSetup&) {
+        step(StepKind::setup);
+        run_open_ = false;
+    }
+    void line_stepped(const raster::LineStep&) { step(StepKind::line_step); }
     void unit(int unit) {
         if (step_ - recording_.index.back().step >= index_spacing) {
             add_index_entry(unit);
@@ -320,7 +325,7 @@ void number_objects(Recording& recording) {
     std::uint32_t triangle = 0;
     for (const pipeline::DrawCall& call : recording.frame->calls()) {
         const auto vertices = static_cast<std::uint32_t>(call.vertex.mesh->positions.size());
-        const auto triangles = static_cast<std::uint32_t>(call.triangles().size());
+        const std::uint32_t triangles = call.primitive_count();
         const int steps = pipeline::steps_per_vertex(call.settings.shading);
         recording.objects.push_back({vertex, vertices, triangle, triangles, step, steps, 0});
         step += StepId{vertices} * static_cast<StepId>(steps);

@@ -2,6 +2,8 @@
 
 #include "core/base/hash.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace hs::trace {
@@ -90,6 +92,12 @@ std::uint64_t Recording::digest() const {
         }
     }
     return digest.value();
+}
+
+std::string
+primitive_path(const Recording& recording, std::uint32_t object, std::uint32_t triangle) {
+    const scene::Primitive primitive = recording.frame->calls()[object].primitive(triangle);
+    return fmt::format("object {} / {} {}", object, name_of(primitive.kind), primitive.number);
 }
 
 } // namespace hs::trace

@@ -95,8 +95,8 @@ struct ObjectRange {
     std::uint32_t first_vertex = 0;
     std::uint32_t vertex_count = 0;
     std::uint32_t first_triangle = 0;
-    std::uint32_t triangle_count = 0;
-    StepId first_vertex_step = 0; ///< of its vertex stage
+    std::uint32_t triangle_count = 0; ///< with lines and points, in that order behind them
+    StepId first_vertex_step = 0;     ///< of its vertex stage
     int steps_per_vertex = 3;
     std::uint32_t last_draw = 0; ///< after it the object is finished; meaningless without triangles
 };
@@ -156,6 +156,10 @@ struct Recording {
     /// Color and depth bits of the final image; equals Framebuffer::digest() of the untraced frame.
     [[nodiscard]] std::uint64_t digest() const;
 };
+
+/// "object 0 / triangle 12", "object 0 / line 2". `triangle` counts within the object.
+std::string
+primitive_path(const Recording& recording, std::uint32_t object, std::uint32_t triangle);
 
 struct RecordOptions {
     std::size_t checkpoint_budget = std::size_t{512} << 20U; ///< bytes

@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 26> table{{
+    static constexpr std::array<Named<StepKind>, 27> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -21,7 +21,7 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
         {StepKind::divide, "divide", "clip coordinates are divided by w"},
         {StepKind::viewport, "viewport", "NDC become pixels, snapped to 1/256"},
         {StepKind::facing, "cull", "the sign of the snapped area decides which side is seen"},
-        {StepKind::setup, "setup", "the three edge functions are set up"},
+        {StepKind::setup, "setup", "the three edge functions, or a line's walk, are set up"},
         {StepKind::edge_table,
          "edge table",
          "edges are sorted into buckets by their first scanline"},
@@ -37,6 +37,7 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
         {StepKind::plane_test,
          "plane test",
          "the pixel center is held against the planes through eye and edges"},
+        {StepKind::line_step, "line step", "the walk along a line decides which pixel comes next"},
         {StepKind::interpolate, "interpolate", "depth and varyings are interpolated at the pixel"},
         {StepKind::shade, "shade", "the fragment gets its color"},
         {StepKind::scissor_test, "scissor test", "the pixel is held against the scissor rectangle"},
@@ -115,6 +116,7 @@ Stage stage_of(StepKind kind) {
     case StepKind::edge_test:
     case StepKind::sample_test:
     case StepKind::plane_test:
+    case StepKind::line_step:
     case StepKind::interpolate: return Stage::traverse;
     case StepKind::shade: return Stage::shade;
     case StepKind::scissor_test:
@@ -125,6 +127,11 @@ Stage stage_of(StepKind kind) {
     }
     HS_CHECK(false, "every step kind has a stage");
     return Stage::application;
+}
+
+std::string primitive_name(const Step& step) {
+    const bool triangle = step.primitive == scene::PrimitiveKind::triangle;
+    return fmt::format("{} {}", name_of(step.primitive), triangle ? step.triangle : step.number);
 }
 
 std::string step_path(const Step& step) {
@@ -144,14 +151,15 @@ std::string step_path(const Step& step) {
         return fmt::format("visibility / {} {}", name_of(step.decision), step.ordinal);
     }
 
-    std::string path = fmt::format("object {} / triangle {}", step.object, step.triangle);
-    if (step.part || (step.clipped && step.has_piece())) {
+    std::string path = fmt::format("object {} / {}", step.object, primitive_name(step));
+    if (step.of_triangle() && (step.part || (step.clipped && step.has_piece()))) {
         path += fmt::format(" piece {}", step.piece);
     }
     if (step.kind == StepKind::clip_plane) {
         return path + fmt::format(" / clip / plane {}", name_of(step.plane));
     }
-    if (step.kind == StepKind::edge_test || step.kind == StepKind::plane_test) {
+    if (step.kind == StepKind::edge_test || step.kind == StepKind::plane_test ||
+        step.kind == StepKind::line_step) {
         return path + fmt::format(" / pixel {},{}", step.pixel.x, step.pixel.y);
     }
     if (step.kind == StepKind::sample_test) {

@@ -8,6 +8,7 @@
 #include "core/base/named.hpp"
 #include "core/base/pixel.hpp"
 #include "core/geometry/clip_volume.hpp"
+#include "core/scene/mesh.hpp"
 #include "core/visibility/order_names.hpp"
 
 #include <cstdint>
@@ -37,6 +38,7 @@ enum class StepKind : std::uint8_t {
     edge_test,
     sample_test,
     plane_test,
+    line_step,
     interpolate,
     shade,
     scissor_test,
@@ -85,7 +87,9 @@ struct Step {
     visibility::OrderEventKind decision = visibility::OrderEventKind::compare; ///< order
     std::uint32_t event = 0;    ///< order: index into the recording's decisions
     std::uint32_t ordinal = 0;  ///< order: how many of its kind came before
-    std::uint32_t triangle = 0; ///< outcodes and later: index into the object's triangles
+    std::uint32_t triangle = 0; ///< outcodes and later: index into the object's primitives
+    scene::PrimitiveKind primitive = scene::PrimitiveKind::triangle;
+    std::uint32_t number = 0; ///< of lines and points: among the object's lines or points
     bool part = false;      ///< outcodes and later: of a part of a triangle that ordering has split
     bool clipped = false;   ///< the triangle was clipped, so that its piece is part of the path
     std::int32_t piece = 0; ///< divide and later; of a part already before
@@ -110,6 +114,10 @@ struct Step {
     [[nodiscard]] bool has_piece() const {
         return in_triangle() && (part || kind >= StepKind::divide);
     }
+    /// The same, and what is drawn is a triangle indeed, not a line or a point.
+    [[nodiscard]] bool of_triangle() const {
+        return in_triangle() && primitive == scene::PrimitiveKind::triangle;
+    }
     /// Belongs to a unit of a traversal.
     [[nodiscard]] bool in_unit() const {
         return kind >= StepKind::tile_test && kind <= StepKind::merge;
@@ -125,6 +133,9 @@ struct Step {
     }
     friend bool operator==(const Step&, const Step&) = default;
 };
+
+/// "triangle 12", "line 2", "point 0". Precondition: step.in_triangle().
+std::string primitive_name(const Step& step);
 
 /// The path of a step, complete down to the operation.
 std::string step_path(const Step& step);

@@ -31,7 +31,8 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::tile_test:
     case StepKind::edge_test:
     case StepKind::sample_test:
-    case StepKind::plane_test: break; // tiles and pixels are part of the cost
+    case StepKind::plane_test:
+    case StepKind::line_step: break; // tiles and pixels are part of the cost
     case StepKind::interpolate: ++counters.fragments; break;
     case StepKind::shade: ++counters.fragments_shaded; break;
     case StepKind::scissor_test:

@@ -24,7 +24,11 @@ public:
     void oriented(double, geometry::TriangleVerdict) {}
     void set_up(const raster::TriangleSetup&) {}
     void planes_set_up(const raster::HomogeneousSetup&) {}
+    void line_set_up(const raster::LineSetup&) {}
 
+    void line_stepped(const raster::LineStep& line) {
+        visit(line.pixel, true, StepKind::line_step);
+    }
     void edge_test(PixelPos pixel, const raster::EdgeValues&, bool inside) {
         visit(pixel, inside, StepKind::edge_test);
     }
@@ -103,6 +107,9 @@ std::size_t pixels_ahead(const Recording& recording, const Step& step) {
     const bool boxed = call.settings.traversal != scene::TraversalKind::brute_force;
     const auto detail = triangle_detail(recording, step.object, step.triangle);
     const auto piece = static_cast<std::size_t>(step.piece);
+    if (piece < detail.pieces.size() && detail.pieces[piece].line) {
+        return static_cast<std::size_t>(detail.pieces[piece].line->steps) + 1;
+    }
     if (boxed && piece < detail.pieces.size() && detail.pieces[piece].setup) {
         region = detail.pieces[piece].setup->bounds;
     }

@@ -56,6 +56,7 @@ TEST_CASE(
          {"triangle.object_index",
           "triangle.face",
           "triangle.vertices",
+          "triangle.primitive",
           "triangle.verdict",
           "triangle.clip_planes",
           "triangle.first_step"}) {

@@ -67,6 +67,8 @@ constexpr Table tables[] = {
     {"scene::Forward", check_table<scene::Forward>},
     {"scene::InterpolationKind", check_table<scene::InterpolationKind>},
     {"scene::LightKind", check_table<scene::LightKind>},
+    {"scene::LineAlgorithm", check_table<scene::LineAlgorithm>},
+    {"scene::PrimitiveKind", check_table<scene::PrimitiveKind>},
     {"scene::PaintersKey", check_table<scene::PaintersKey>},
     {"scene::ProjectionKind", check_table<scene::ProjectionKind>},
     {"scene::Sampling", check_table<scene::Sampling>},

@@ -62,6 +62,11 @@ public:
         ++counters_.pieces_set_up;
         add(StepKind::setup);
     }
+    void line_set_up(const raster::LineSetup&) {
+        ++counters_.pieces_set_up;
+        add(StepKind::setup);
+    }
+    void line_stepped(const raster::LineStep&) { add(StepKind::line_step); }
     void cost(const raster::Cost& cost) { counters_.traversal += cost; }
     void edge_test(PixelPos, const raster::EdgeValues&, bool) { add(StepKind::edge_test); }
     void sample_tested(const raster::SampleTest&) { add(StepKind::sample_test); }

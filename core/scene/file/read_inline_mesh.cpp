@@ -59,18 +59,58 @@ void check_count(
     }
 }
 
-void read_corner(TableReader& object, const toml::node& node, Mesh& mesh) {
+/// The number of a vertex; `what` it is used for, as the complaint says.
+std::optional<std::uint32_t>
+read_index(TableReader& object, const toml::node& node, const Mesh& mesh, std::string_view what) {
     const auto count = static_cast<std::int64_t>(mesh.positions.size());
     const auto* index = node.as_integer();
     if (index == nullptr) {
-        object.complaints().add(node, "a corner of a polygon must be the number of a vertex");
+        object.complaints().add(node, fmt::format("{} must be the number of a vertex", what));
     } else if (index->get() < 0 || index->get() >= count) {
         object.complaints().add(
             node,
             fmt::format("there is no vertex {}: there are {}, counted from 0", index->get(), count)
         );
     } else {
-        mesh.polygon_vertices.push_back(static_cast<std::uint32_t>(index->get()));
+        return static_cast<std::uint32_t>(index->get());
+    }
+    return std::nullopt;
+}
+
+void read_corner(TableReader& object, const toml::node& node, Mesh& mesh) {
+    if (const auto index = read_index(object, node, mesh, "a corner of a polygon")) {
+        mesh.polygon_vertices.push_back(*index);
+    }
+}
+
+void read_lines(TableReader& object, Mesh& mesh) {
+    const toml::array* lines = object.read_array("lines", "a list of pairs of vertex numbers");
+    if (lines == nullptr) {
+        return;
+    }
+    for (const toml::node& line : *lines) {
+        const toml::array* ends = line.as_array();
+        if (ends == nullptr || ends->size() != 2) {
+            object.complaints().add(line, "a line must be a list of 2 vertex numbers");
+            continue;
+        }
+        const auto from = read_index(object, *ends->get(0), mesh, "an end of a line");
+        const auto to = read_index(object, *ends->get(1), mesh, "an end of a line");
+        if (from && to) {
+            mesh.lines.push_back({*from, *to});
+        }
+    }
+}
+
+void read_points(TableReader& object, Mesh& mesh) {
+    const toml::array* points = object.read_array("points", "a list of vertex numbers");
+    if (points == nullptr) {
+        return;
+    }
+    for (const toml::node& point : *points) {
+        if (const auto index = read_index(object, point, mesh, "a point")) {
+            mesh.points.push_back(*index);
+        }
     }
 }
 
@@ -109,8 +149,10 @@ std::shared_ptr<const Mesh> read_inline_mesh(TableReader& object, bool fit) {
     check_count(object, "normals", mesh.normals.size(), mesh.positions.size());
     check_count(object, "uvs", mesh.uvs.size(), mesh.positions.size());
     read_polygons(object, mesh);
-    if (!object.has("polygons")) {
-        object.complain(object.name() + " has vertices but no polygons");
+    read_lines(object, mesh);
+    read_points(object, mesh);
+    if (!object.has("polygons") && !object.has("lines") && !object.has("points")) {
+        object.complain(object.name() + " has vertices but no polygons, lines or points");
     }
     if (had_complaints || !object.complaints().empty()) {
         return nullptr; // the scene is lost: indices may be wrong

@@ -160,7 +160,15 @@ std::shared_ptr<const Mesh> read_geometry(SceneReader& reader, TableReader& tabl
             "{} must have exactly one of vertices, mesh and shape, not {}", table.name(), sources
         ));
         for (const std::string_view key :
-             {"vertices", "polygons", "colors", "normals", "uvs", "mesh", "shape"}) {
+             {"vertices",
+              "polygons",
+              "lines",
+              "points",
+              "colors",
+              "normals",
+              "uvs",
+              "mesh",
+              "shape"}) {
             table.find(key);
         }
         return nullptr;

@@ -37,8 +37,8 @@ void read_light(SceneReader& reader, const toml::table& toml, std::size_t number
 /// Materials come first: objects name them.
 void read_object(SceneReader& reader, const toml::table& toml, std::size_t number);
 
-/// `vertices`, `polygons`, `colors`, `normals`, `uvs`; null with complaints when something is
-/// wrong.
+/// `vertices`, `polygons`, `lines`, `points`, `colors`, `normals`, `uvs`; null with complaints when
+/// something is wrong.
 std::shared_ptr<const Mesh> read_inline_mesh(TableReader& object, bool fit);
 
 /// The resolved path of a file named in the scene, noted in `Scene::files`; nothing, with a
