@@ -3,6 +3,7 @@
 #include "core/export/picture_file.hpp"
 #include "core/export/whole_file.hpp"
 #include "core/pipeline/draw_frame.hpp"
+#include "core/pipeline/order_refusal.hpp"
 
 namespace hs::command {
 namespace {
@@ -12,12 +13,17 @@ struct Options {
     std::filesystem::path out;
 };
 
-framebuffer::Framebuffer draw(std::shared_ptr<const scene::Scene> scene, const Common& common) {
+Result<framebuffer::Framebuffer>
+draw(const std::shared_ptr<const scene::Scene>& scene, const Common& common) {
     framebuffer::Framebuffer framebuffer(scene->settings);
-    pipeline::Frame frame(std::move(scene));
+    pipeline::Frame frame(scene);
     pipeline::NullTrace nothing;
     const unsigned threads = common.threads == 0 ? hardware_threads() : common.threads;
-    pipeline::draw_frame(frame, framebuffer, nothing, threads);
+    pipeline::shade_vertices(frame, nothing, threads);
+    if (const auto complaint = pipeline::refuse_order(frame)) {
+        return Diagnostic{.file = scene->file, .message = *complaint};
+    }
+    pipeline::draw_triangles(frame, framebuffer, nothing, threads);
     return framebuffer;
 }
 
@@ -56,7 +62,11 @@ int render(const Options& options, const Common& common) {
     if (!scene) {
         return fail(scene.diagnostics());
     }
-    const exporting::Layer layer = color_layer(draw(*scene, common));
+    const auto framebuffer = draw(*scene, common);
+    if (!framebuffer) {
+        return fail(framebuffer.diagnostics());
+    }
+    const exporting::Layer layer = color_layer(*framebuffer);
     const exporting::Attributes attributes = exporting::attributes_of(**scene);
     const Result<Done> written = *format == ".png"
                                      ? exporting::write_png(options.out, layer, attributes)

@@ -22,6 +22,8 @@ public:
 
     [[nodiscard]] float depth(PixelPos p) const { return whole_->depth(moved(p)); }
     [[nodiscard]] glm::vec4 color(PixelPos p) const { return whole_->color(moved(p)); }
+    [[nodiscard]] bool closed(PixelPos) const { return false; }
+    void close(PixelPos) {}
     void set_depth(PixelPos p, float depth) { whole_->set_depth(moved(p), depth); }
     void set_color(PixelPos p, const glm::vec4& color) { whole_->set_color(moved(p), color); }
 

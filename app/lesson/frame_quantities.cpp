@@ -85,6 +85,16 @@ Result<Value> fated(const Recording& recording, const Subject& subject) {
     });
 }
 
+/// Ordering comes before the first triangle: the frame's, whatever the subject is.
+template <visibility::OrderEventKind kind>
+Result<Value> decided(const Recording& recording, const Subject& /*subject*/) {
+    return Value{static_cast<double>(recording.counters.decisions[static_cast<std::size_t>(kind)])};
+}
+
+Result<Value> decisions(const Recording& recording, const Subject& /*subject*/) {
+    return Value{static_cast<double>(recording.decisions.size())};
+}
+
 Result<Value> vertices(const Recording& recording, const Subject& subject) {
     return subject.object
                ? Value{static_cast<double>(recording.objects[*subject.object].vertex_count)}
@@ -128,7 +138,7 @@ std::span<const Quantity> frame_quantities() {
     using enum fragment::FragmentFate;
     constexpr QuantityOf frame = QuantityOf::frame;
     constexpr QuantityOf picture = QuantityOf::pixel;
-    static constexpr std::array<Quantity, 18> rows{{
+    static constexpr std::array<Quantity, 21> rows{{
         {"image width", frame, "pixels from left to right", image_width},
         {"image height", frame, "pixels from top to bottom", image_height},
         {"vertices", frame, "vertices that went through the vertex stage", vertices},
@@ -143,6 +153,15 @@ std::span<const Quantity> frame_quantities() {
         {"fragments", frame, "pixels found covered", counted<&Counters::fragments>},
         {"fragments written", frame, "fragments that changed their pixel", fated<written>},
         {"fragments failed", frame, "fragments that failed the depth test", fated<depth_failed>},
+        {"decisions", frame, "those of the ordering algorithm, of every kind", decisions},
+        {"comparisons",
+         frame,
+         "keys of two polygons compared by the ordering algorithm",
+         decided<visibility::OrderEventKind::compare>},
+        {"splits",
+         frame,
+         "polygons cut by the ordering algorithm",
+         decided<visibility::OrderEventKind::split>},
         {"pixel depth", picture, "the depth stored when the frame is finished", pixel_depth},
         {"pixel color.r", picture, "red of the finished picture", pixel_color<0>},
         {"pixel color.g", picture, "green of the finished picture", pixel_color<1>},

@@ -108,6 +108,7 @@ enum class View : std::uint8_t {
     clipping,
     cost,
     normals,
+    order,
     search,
 };
 

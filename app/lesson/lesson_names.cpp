@@ -19,7 +19,7 @@ std::span<const Named<lesson::QuestionKind>> names<lesson::QuestionKind>() {
 template <>
 std::span<const Named<lesson::View>> names<lesson::View>() {
     using lesson::View;
-    static constexpr std::array<Named<View>, 21> table{{
+    static constexpr std::array<Named<View>, 22> table{{
         {View::unchanged, "unchanged", "as it was"},
         {View::color, "color", "the color buffer"},
         {View::depth, "depth", "the depth buffer"},
@@ -40,6 +40,7 @@ std::span<const Named<lesson::View>> names<lesson::View>() {
         {View::clipping, "clipping", "the triangle against each clip plane"},
         {View::cost, "cost", "what the traversal spends, beside all others"},
         {View::normals, "normals", "a normal moved by the matrix and by its inverse transpose"},
+        {View::order, "order", "how the order in which triangles are drawn is found"},
         {View::search, "search", "vertices, triangles, fragments and steps that match"},
     }};
     return table;

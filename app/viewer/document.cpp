@@ -69,7 +69,9 @@ std::optional<std::uint32_t> Document::current_draw() const {
 
 const trace::OrderDetail* Document::order_detail() {
     const trace::Recording& of = recording();
-    if (of.decisions.size() == 0 || player_->step() < of.first_order_step) {
+    const std::size_t decisions = of.decisions.size();
+    const bool shown = decisions > 0 && decisions <= most_decisions;
+    if (!shown || player_->step() < of.first_order_step) {
         return nullptr;
     }
     const trace::StepId last = std::min(player_->step(), of.first_triangle_step - 1);

@@ -4,6 +4,7 @@
 #include "app/viewer/screen_colors.hpp"
 #include "core/trace/comparison.hpp"
 #include "core/trace/history.hpp"
+#include "core/trace/order_detail.hpp"
 #include "core/trace/player.hpp"
 #include "core/trace/quad_detail.hpp"
 #include "core/trace/trail.hpp"
@@ -56,8 +57,10 @@ public:
     /// The settings of the current step's object; the frame's outside of objects.
     [[nodiscard]] const scene::Settings& settings() const;
 
+    /// Decisions up to which the state around each is shown: a run takes a tenth of a second then.
+    static constexpr std::size_t most_decisions = 300'000;
     /// What the ordering algorithm knows: after its current decision, later at its end; null before
-    /// it and where triangles are drawn in file order.
+    /// it, where triangles are drawn in file order, and where there are more decisions than that.
     const trace::OrderDetail* order_detail();
 
     /// The whole history of a pixel, kept until another pixel is asked for.

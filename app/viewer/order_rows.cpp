@@ -23,8 +23,8 @@ void go_to(Context& context, const pipeline::OrderedPolygon& polygon) {
 DecidedPair decided_pair(const visibility::OrderEvent& decision) {
     DecidedPair pair{{decision.polygon, {}}, {decision.other, {}}};
     using Kind = visibility::OrderEventKind;
-    if (decision.kind == Kind::compare || decision.kind == Kind::test ||
-        decision.kind == Kind::exchanged_test) {
+    const bool tests = decision.kind == Kind::test || decision.kind == Kind::exchanged_test;
+    if (decision.kind == Kind::compare || (tests && decision.verdict)) {
         pair.first.first = decision.verdict;
         pair.second.first = !decision.verdict;
     }
@@ -35,10 +35,38 @@ Tone tone_of(const std::optional<bool>& first) {
     return !first ? Tone::accent : *first ? Tone::pass : Tone::fail;
 }
 
+bool stands_on_decision(const Context& context) {
+    return context.document.player().current().kind == trace::StepKind::order;
+}
+
 std::string
-short_name(const Context& context, const trace::OrderDetail& detail, std::int32_t polygon) {
+full_name(const Context& context, const trace::OrderDetail& detail, std::int32_t polygon) {
     const auto found = detail.polygon(polygon);
     return found ? explain::polygon_name(context.document.recording(), *found) : "–";
+}
+
+std::string
+label_of(const Context& context, const trace::OrderDetail& detail, std::int32_t polygon) {
+    const auto found = detail.polygon(polygon);
+    return found ? explain::polygon_label(context.document.recording(), *found) : "–";
+}
+
+void light(OrderRow& row, const DecidedPair& pair) {
+    for (const DecidedPolygon& decided : {pair.first, pair.second}) {
+        if (decided.index == row.polygon) {
+            row.lit = tone_of(decided.first);
+            row.first = decided.first;
+        }
+    }
+}
+
+void light_drawn(const Context& context, const trace::OrderDetail& detail, OrderRow& row) {
+    const auto triangle = context.document.current_triangle();
+    const auto polygon = detail.polygon(row.polygon);
+    if (triangle && polygon && *triangle >= polygon->triangle &&
+        *triangle < polygon->triangle + polygon->triangle_count) {
+        row.lit = Tone::accent;
+    }
 }
 
 void draw_order_row(
@@ -57,7 +85,7 @@ void draw_order_row(
         go_to(context, *polygon);
         return;
     }
-    const std::string name = short_name(context, detail, row.polygon);
+    const std::string name = full_name(context, detail, row.polygon);
     tooltip(name + ". Click to go to where it is drawn.");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{start.x + width, start.y + height};
@@ -76,8 +104,12 @@ void draw_order_row(
     }
     const float number_width = text_size(theme.fonts.small_mono, row.text).x;
     const float room = width - mark - number_width - theme.units(2);
-    const std::string shown = shorten(theme.fonts.small_mono, name, room);
+    const std::string label = label_of(context, detail, row.polygon);
+    const std::string shown = fitting(theme.fonts.small_mono, {name, label}, room);
     draw_text(list, theme.fonts.small_mono, {start.x + mark, y}, theme[row.tone], shown);
+    draw_text(
+        list, theme.fonts.small_mono, {start.x + 0.4F * width, y}, theme[row.tone], row.middle
+    );
     const float x = end.x - number_width - theme.units(1);
     draw_text(list, theme.fonts.small_mono, {x, y}, theme[row.tone], row.text);
 }

@@ -23,14 +23,22 @@ struct DecidedPair {
 /// ▲ and ▼ have colors of their own, everything else that is looked at has the accent's.
 [[nodiscard]] Tone tone_of(const std::optional<bool>& first);
 
-/// "triangle 3", "3 of object 1", "3.2": short enough for a column.
+/// Whether the playhead stands on a decision, not behind all of them.
+[[nodiscard]] bool stands_on_decision(const Context& context);
+
+/// What a polygon is called, in words.
 [[nodiscard]] std::string
-short_name(const Context& context, const trace::OrderDetail& detail, std::int32_t polygon);
+full_name(const Context& context, const trace::OrderDetail& detail, std::int32_t polygon);
+
+/// Its numbers alone, for lists and trees.
+[[nodiscard]] std::string
+label_of(const Context& context, const trace::OrderDetail& detail, std::int32_t polygon);
 
 /// Of a list.
 struct OrderRow {
     std::int32_t polygon = -1; ///< −1: an empty row
-    std::string text;          ///< what the list sorts by
+    std::string text;          ///< at the right: what the list sorts by
+    std::string middle{};      ///< of three columns
     Tone tone = Tone::text;
     std::optional<Tone> lit{};   ///< what the current decision looks at
     std::optional<bool> first{}; ///< marked ▲ or ▼
@@ -39,6 +47,11 @@ struct OrderRow {
 void draw_order_row(
     Context& context, const trace::OrderDetail& detail, const OrderRow& row, float width
 );
+
+/// Lights a row that the decision is about.
+void light(OrderRow& row, const DecidedPair& pair);
+/// Lights a row whose triangle is being drawn.
+void light_drawn(const Context& context, const trace::OrderDetail& detail, OrderRow& row);
 
 /// The rows [first, last) of `count` to show around `focus`: long lists are cut.
 struct RowRange {

@@ -79,7 +79,7 @@ std::string iteration_sentence(const Subject& of) {
     }
     return fmt::format(
         "Iteration {} begins: nothing undrawn lies behind {}.",
-        of.event.place,
+        of.event.place - 1, // counted from 0, as in paths
         polygons(of.event.value)
     );
 }
@@ -109,18 +109,45 @@ std::string nearer_sentence(const Subject& of) {
 
 // ---- Newell, Newell and Sancha
 
+/// What a test found out about P and Q.
+std::string finding(NewellTest test, bool passed) {
+    switch (test) {
+    case NewellTest::depth_extents:
+        return passed ? "no point of Q is farther than a point of P" : "they overlap in depth";
+    case NewellTest::x_extents:
+        return passed ? "their extents in x do not overlap" : "their extents in x overlap";
+    case NewellTest::y_extents:
+        return passed ? "their extents in y do not overlap" : "their extents in y overlap";
+    case NewellTest::behind_plane:
+        return passed ? "P is wholly behind the plane of Q"
+                      : "P is not wholly behind the plane of Q";
+    case NewellTest::in_front_of_plane:
+        return passed ? "Q is wholly in front of the plane of P"
+                      : "Q is not wholly in front of the plane of P";
+    case NewellTest::projections:
+        return passed ? "their projections do not overlap" : "their projections overlap";
+    }
+    HS_CHECK(false, "every test finds something out");
+    return "";
+}
+
 std::string newell_sentence(const Subject& of) {
     const auto test = static_cast<NewellTest>(of.event.place);
     const bool exchanged = of.event.kind == OrderEventKind::exchanged_test;
+    const bool last =
+        test == NewellTest::projections || (exchanged && test == NewellTest::in_front_of_plane);
+    const char* const then = of.event.verdict ? "P may go first"
+                             : !last          ? "on to the next test"
+                             : exchanged      ? "one must be cut"
+                                              : "P may hide Q, so they exchange roles";
     return fmt::format(
-        "{}est {}, {}, P = {}, Q = {}: {}.",
-        exchanged ? "In exchanged roles, t" : "T",
+        "Test {}{} for P = {}, Q = {}: {}; {}.",
         of.event.place,
-        name_of(test),
+        exchanged ? ", roles exchanged," : "",
         of.polygon,
         of.other,
-        of.event.verdict ? fmt::format("passed, {}", named(test).explanation)
-                         : "failed, the next must decide"
+        finding(test, of.event.verdict),
+        then
     );
 }
 
@@ -228,7 +255,7 @@ std::string sentence_of(const Subject& of) {
     case OrderEventKind::nearer: return nearer_sentence(of);
     case OrderEventKind::list_in_front:
         return fmt::format(
-            "{} enters the front list of {}; behind it lie {} so far.",
+            "{} enters the front list of {} and has {} behind it so far.",
             capital(of.other),
             of.polygon,
             polygons(event.value)
@@ -236,7 +263,7 @@ std::string sentence_of(const Subject& of) {
     case OrderEventKind::iteration: return iteration_sentence(of);
     case OrderEventKind::count_down:
         return fmt::format(
-            "{} is drawn, so that {} lie behind {} still.",
+            "{} is drawn, which leaves {} behind {}.",
             capital(of.other),
             polygons(event.value),
             of.polygon
@@ -285,11 +312,54 @@ std::string sentence_of(const Subject& of) {
     return "";
 }
 
-/// The polygon as it was at the decision: later ones may cut it.
-std::string
-name_at(const trace::Recording& recording, const trace::OrderDetail& detail, std::int32_t polygon) {
-    const std::optional<pipeline::OrderedPolygon> found = detail.polygon(polygon);
-    return found ? polygon_name(recording, *found) : std::string{};
+/// Whether a polygon had been cut by the time of a decision. Those that never are, are most.
+bool is_split_at(const trace::Recording& recording, std::int32_t polygon, std::uint32_t event) {
+    if (!recording.order.polygons[static_cast<std::size_t>(polygon)].split) {
+        return false;
+    }
+    for (std::uint32_t i = 0; i <= event; ++i) {
+        const OrderEvent& earlier = recording.decisions[i];
+        const bool involved = earlier.polygon == polygon || earlier.place == polygon;
+        if (earlier.kind == OrderEventKind::split && involved) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The polygon as it was at the decision: later ones may cut it. Nothing for −1.
+std::string name_at(const trace::Recording& recording, std::int32_t polygon, std::uint32_t event) {
+    if (polygon < 0) {
+        return "";
+    }
+    pipeline::OrderedPolygon then = recording.order.polygons[static_cast<std::size_t>(polygon)];
+    then.split = is_split_at(recording, polygon, event);
+    return polygon_name(recording, then);
+}
+
+/// By which numbers a polygon is known.
+struct Numbers {
+    std::optional<std::uint32_t> object{}; ///< where there is more than one
+    std::uint32_t own = 0;                 ///< of the face or the triangle in its object
+    bool face = false;
+    bool alone = false; ///< the object has nothing else
+};
+
+Numbers numbers_of(const trace::Recording& recording, const pipeline::OrderedPolygon& polygon) {
+    const std::uint32_t object = recording.object_of_triangle(polygon.triangle);
+    const trace::ObjectRange& range = recording.objects[object];
+    Numbers numbers;
+    numbers.own = polygon.triangle - range.first_triangle;
+    numbers.face = polygon.triangle_count > 1;
+    numbers.alone = polygon.triangle_count == range.triangle_count;
+    if (numbers.face) {
+        const scene::Mesh& mesh = *recording.frame->calls()[object].vertex.mesh;
+        numbers.own = mesh.triangle_polygon[numbers.own];
+    }
+    if (recording.objects.size() > 1) {
+        numbers.object = object;
+    }
+    return numbers;
 }
 
 // ---- formulas
@@ -318,29 +388,38 @@ Formula key_formula(
 
 std::string
 polygon_name(const trace::Recording& recording, const pipeline::OrderedPolygon& polygon) {
-    const std::uint32_t object = recording.object_of_triangle(polygon.triangle);
-    const std::uint32_t own = polygon.triangle - recording.objects[object].first_triangle;
-    std::string name = fmt::format("triangle {}", own);
-    if (polygon.triangle_count > 1) {
-        const scene::Mesh& mesh = *recording.frame->calls()[object].vertex.mesh;
-        name = fmt::format("polygon {}", mesh.triangle_polygon[own]);
-    }
-    if (recording.objects.size() > 1) {
-        name += fmt::format(" of object {}", object);
+    const Numbers of = numbers_of(recording, polygon);
+    std::string name = fmt::format("{} {}", of.face ? "polygon" : "triangle", of.own);
+    if (of.object && of.alone) {
+        const std::string& given = recording.scene().objects[*of.object].name;
+        name = given.empty() ? fmt::format("object {}", *of.object) : fmt::format("\"{}\"", given);
+    } else if (of.object) {
+        name += fmt::format(" of object {}", *of.object);
     }
     return polygon.split ? fmt::format("part {} of {}", polygon.part, name) : name;
 }
 
-std::string polygon_name(const trace::Recording& recording, std::int32_t polygon) {
-    const auto index = static_cast<std::size_t>(polygon);
-    return polygon < 0 ? std::string{} : polygon_name(recording, recording.order.polygons[index]);
+std::string
+polygon_label(const trace::Recording& recording, const pipeline::OrderedPolygon& polygon) {
+    const Numbers of = numbers_of(recording, polygon);
+    std::string label = fmt::format("{}", of.own);
+    if (of.object && of.alone) {
+        constexpr std::size_t short_enough = 4;
+        const std::string& given = recording.scene().objects[*of.object].name;
+        const bool fits = !given.empty() && given.size() <= short_enough;
+        label = fits ? given : fmt::format("{}", *of.object);
+    } else if (of.object) {
+        label = fmt::format("{}.{}", *of.object, of.own);
+    }
+    return polygon.split ? fmt::format("{}/{}", label, polygon.part) : label;
 }
 
-std::string order_sentence(const trace::Recording& recording, const trace::OrderDetail& detail) {
+std::string order_sentence(const trace::Recording& recording, std::uint32_t event) {
+    const OrderEvent& decision = recording.decisions[event];
     return sentence_of(
-        {.event = detail.decision,
-         .polygon = name_at(recording, detail, detail.decision.polygon),
-         .other = name_at(recording, detail, detail.decision.other),
+        {.event = decision,
+         .polygon = name_at(recording, decision.polygon, event),
+         .other = name_at(recording, decision.other, event),
          .settings = recording.settings()}
     );
 }
@@ -355,9 +434,9 @@ order_formulas(const trace::Recording& recording, const trace::OrderDetail& deta
     for (const std::int32_t index : {detail.decision.polygon, detail.decision.other}) {
         if (index >= 0) {
             const auto& polygon = detail.window_polygons()[static_cast<std::size_t>(index)];
-            list.push_back(
-                key_formula(name_at(recording, detail, index), polygon, settings.painters_key)
-            );
+            list.push_back(key_formula(
+                polygon_name(recording, *detail.polygon(index)), polygon, settings.painters_key
+            ));
         }
     }
     return list;

@@ -219,6 +219,10 @@ fragment_sentence(const std::string& who, const Step& step, const trace::Fragmen
         const char* const side = step.passed ? "inside" : "outside";
         return fmt::format("{} lies {} the scissor rectangle.", who, side);
     }
+    if (step.kind == StepKind::closed_test) {
+        return step.passed ? fmt::format("{} finds its pixel open.", who)
+                           : fmt::format("{} finds its pixel closed by a nearer triangle.", who);
+    }
     if (step.kind == StepKind::depth_test) {
         return depth_sentence(who, step, fragment);
     }
@@ -331,6 +335,9 @@ std::string sentence(const trace::Player& player) {
     if (step.kind == StepKind::resolve) {
         return resolve_sentence(player);
     }
+    if (step.kind == StepKind::order) {
+        return order_sentence(recording, step.event);
+    }
     const StepDetail& detail = player.detail();
     if (step.in_vertex_stage() && detail.vertex) {
         return vertex_sentence(step, *detail.vertex);
@@ -344,9 +351,6 @@ std::string sentence(const trace::Player& player) {
         return square_sentence(
             triangle_name(recording, step), step, *piece.setup, detail.visit->edges
         );
-    }
-    if (detail.order) {
-        return order_sentence(recording, *detail.order);
     }
     if (step.kind == StepKind::edge_test) {
         return edge_sentence(triangle_name(recording, step), step, detail);

@@ -13,6 +13,9 @@ std::span<const Named<fragment::FragmentFate>> names<fragment::FragmentFate>() {
         {FragmentFate::depth_failed,
          "depth failed",
          "the comparison with the stored depth was false"},
+        {FragmentFate::pixel_closed,
+         "pixel closed",
+         "a nearer triangle was written there before, front to back"},
     }};
     return table;
 }

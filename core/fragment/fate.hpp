@@ -10,9 +10,10 @@ namespace hs::fragment {
 enum class FragmentFate : std::uint8_t {
     written,
     scissor_failed,
-    depth_failed
+    depth_failed,
+    pixel_closed
 };
-inline constexpr int fate_count = 3;
+inline constexpr int fate_count = 4;
 
 } // namespace hs::fragment
 

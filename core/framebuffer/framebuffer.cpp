@@ -26,6 +26,7 @@ Framebuffer::Framebuffer(const scene::Settings& settings)
         }
         sample_depth_.assign(all, depth);
     }
+    closed_.assign(settings.closes_pixels() ? pixels : 0, 0);
 }
 
 PixelSamples Framebuffer::samples(PixelPos p) const {

@@ -14,15 +14,18 @@
 
 namespace hs::framebuffer {
 
-/// Where fragments read and write. A framebuffer is one; a recording and a re-run bring their own.
-/// Pixels are inside the image.
+/// Where fragments read and write. A pixel is closed once something was written where triangles
+/// come front to back; nobody asks elsewhere. A framebuffer is one; a recording and a re-run bring
+/// their own. Pixels are inside the image.
 template <typename T>
 concept PixelTarget =
     requires(T target, const T& constant, PixelPos pixel, glm::vec4 color, float depth) {
     { constant.depth(pixel) } -> std::convertible_to<float>;
     { constant.color(pixel) } -> std::convertible_to<glm::vec4>;
+    { constant.closed(pixel) } -> std::convertible_to<bool>;
     target.set_depth(pixel, depth);
     target.set_color(pixel, color);
+    target.close(pixel);
 };
 
 /// Where the fragments of a frame with several samples a pixel read and write.
@@ -56,6 +59,8 @@ public:
         }
     }
 
+    [[nodiscard]] bool closed(PixelPos p) const { return closed_[index(p)] != 0; }
+    void close(PixelPos p) { closed_[index(p)] = 1; }
     /// Several samples a pixel: what they hold, beside the pixel's own color and depth, which are
     /// what resolving makes of them.
     [[nodiscard]] PixelSamples samples(PixelPos p) const;
@@ -84,6 +89,7 @@ private:
     std::vector<Rgba8> rgba8_;
     std::vector<glm::vec4> rgba32f_;
     std::vector<float> depth_;
+    std::vector<std::uint8_t> closed_; ///< empty where triangles do not come front to back
 
     int samples_ = 1;
     std::vector<Rgba8> sample_rgba8_; ///< pixel by pixel; empty with one sample

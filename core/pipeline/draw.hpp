@@ -43,7 +43,8 @@ struct TriangleScope {
 // What follows up to `draw_fragment` runs per fragment, where a call costs as much as the work: it
 // is inlined whatever the compiler thinks of its size.
 
-/// Test: scissor, then depth. `depth` is the fragment's depth as the format stores it.
+/// Test: scissor, then whether the pixel is still open, then depth. `depth` is the fragment's depth
+/// as the format stores it.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
 [[gnu::always_inline]] inline fragment::FragmentFate test_fragment(
     const DrawCall& call, PixelPos pixel, float depth, const Target& target, Trace& trace
@@ -53,6 +54,13 @@ template <TraceSink Trace, framebuffer::PixelTarget Target>
         trace.scissor_tested(inside);
         if (!inside) {
             return fragment::FragmentFate::scissor_failed;
+        }
+    }
+    if (call.settings.closes_pixels()) {
+        const bool open = !target.closed(pixel);
+        trace.closed_tested(open);
+        if (!open) {
+            return fragment::FragmentFate::pixel_closed;
         }
     }
     if (call.settings.visibility == scene::Visibility::z_buffer) {
@@ -88,6 +96,9 @@ template <TraceSink Trace, framebuffer::PixelTarget Target>
         call.settings.visibility == scene::Visibility::z_buffer && call.settings.depth_write;
     if (merge.depth_written) {
         target.set_depth(pixel, depth);
+    }
+    if (call.settings.closes_pixels()) {
+        target.close(pixel);
     }
     trace.merged(merge);
 }

@@ -58,15 +58,19 @@ void draw_bands(const Frame& frame, const DrawOrder& order, Target& target, unsi
     });
 }
 
-/// A whole frame: every object's vertices, then every triangle, in file order or in the one that
-/// the settings' algorithm finds; with several samples a pixel, they are resolved at the end.
-/// Threads share the vertices; where nobody listens, they share the rows, too.
-template <TraceSink Trace, framebuffer::PixelTarget Target>
-requires AnyOrderSink<Trace>
-void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
+/// Every object's vertices.
+template <TraceSink Trace>
+void shade_vertices(Frame& frame, Trace& trace, unsigned threads = 1) {
     for (DrawCall& call : frame.calls()) {
         run_vertex_stage(call, trace, threads);
     }
+}
+
+/// Every triangle, in file order or in the one that the settings' algorithm finds. Where nobody
+/// listens, threads share the rows.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+requires AnyOrderSink<Trace>
+void draw_triangles(const Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
     const DrawOrder order = order_triangles(frame, trace);
     if (std::is_same_v<Trace, NullTrace> && threads > 1) {
         draw_bands(frame, order, target, threads);
@@ -80,6 +84,14 @@ void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1
             resolve_frame(frame.settings(), target, trace);
         }
     }
+}
+
+/// A whole frame: vertices, then triangles. Precondition: `refuse_order` would not complain.
+template <TraceSink Trace, framebuffer::PixelTarget Target>
+requires AnyOrderSink<Trace>
+void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
+    shade_vertices(frame, trace, threads);
+    draw_triangles(frame, target, trace, threads);
 }
 
 } // namespace hs::pipeline

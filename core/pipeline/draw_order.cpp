@@ -85,8 +85,7 @@ template <typename Space>
 DrawOrder draw_order(
     const Frame& frame,
     const std::vector<visibility::Polygon<Space>>& polygons,
-    const std::vector<std::int32_t>& order,
-    const std::vector<Draw>& unseen
+    const OrderAnswer& answer
 ) {
     DrawOrder result;
     for (const visibility::Polygon<Space>& polygon : polygons) {
@@ -94,23 +93,30 @@ DrawOrder draw_order(
     }
     const TriangleNumbers numbers(frame);
     PartList parts(frame);
-    for (const std::int32_t index : order) {
+    const auto add_triangles = [&](const visibility::Polygon<Space>& polygon, bool stuck) {
+        for (std::uint32_t i = 0; i < polygon.triangle_count; ++i) {
+            result.draws.push_back(numbers.whole(polygon.triangle + i));
+            result.draws.back().stuck = stuck;
+        }
+    };
+    for (const std::int32_t index : answer.order) {
         const visibility::Polygon<Space>& polygon = polygons[static_cast<std::size_t>(index)];
         if (polygon.split) {
             parts.add(result, numbers.whole(polygon.triangle), polygon);
-            continue;
-        }
-        for (std::uint32_t i = 0; i < polygon.triangle_count; ++i) {
-            result.draws.push_back(numbers.whole(polygon.triangle + i));
+        } else {
+            add_triangles(polygon, false);
         }
     }
-    result.draws.insert(result.draws.end(), unseen.begin(), unseen.end());
+    for (const std::int32_t index : answer.stuck) {
+        add_triangles(polygons[static_cast<std::size_t>(index)], true);
+    }
+    result.draws.insert(result.draws.end(), answer.unseen.begin(), answer.unseen.end());
     return result;
 }
 
 template DrawOrder
-draw_order(const Frame&, const std::vector<visibility::WindowPolygon>&, const std::vector<std::int32_t>&, const std::vector<Draw>&);
+draw_order(const Frame&, const std::vector<visibility::WindowPolygon>&, const OrderAnswer&);
 template DrawOrder
-draw_order(const Frame&, const std::vector<visibility::WorldPolygon>&, const std::vector<std::int32_t>&, const std::vector<Draw>&);
+draw_order(const Frame&, const std::vector<visibility::WorldPolygon>&, const OrderAnswer&);
 
 } // namespace hs::pipeline

@@ -47,14 +47,20 @@ struct DrawOrder {
 /// All triangles one after the other, object by object.
 DrawOrder file_order(const Frame& frame);
 
-/// The draws that an algorithm's order of polygons means. The triangles of `unseen` come last: they
-/// go through their stages like all others and change nothing.
+/// An algorithm's answer, in indices of polygons.
+struct OrderAnswer {
+    const std::vector<std::int32_t>& order;
+    const std::vector<std::int32_t>& stuck; ///< can never be drawn
+    const std::vector<Draw>& unseen;        ///< triangles it was not asked about
+};
+
+/// The draws that an answer means. What is stuck is passed over; the triangles of `unseen` come
+/// last: they go through their stages like all others and change nothing.
 template <typename Space>
 DrawOrder draw_order(
     const Frame& frame,
     const std::vector<visibility::Polygon<Space>>& polygons,
-    const std::vector<std::int32_t>& order,
-    const std::vector<Draw>& unseen
+    const OrderAnswer& answer
 );
 
 } // namespace hs::pipeline

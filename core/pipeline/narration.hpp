@@ -105,6 +105,7 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     t.interpolated(fragment);        // *step*
     t.shaded(shaded);                // *step*
     t.scissor_tested(true);          // *step*, only with a scissor rectangle
+    t.closed_tested(true);           // *step*, only where triangles come front to back
     t.depth_tested(depth);           // *step*, only with z-buffer visibility
     t.merged(merge);                 // *step*, only if every test passed
     t.samples_merged(samples_merge); // *step*, instead of merged
@@ -141,6 +142,7 @@ struct NullTrace : raster::SilentTraversal, visibility::SilentOrder {
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}
+    void closed_tested(bool) {}
     void depth_tested(const DepthTest&) {}
     void merged(const Merge&) {}
     void samples_merged(const SamplesMerge&) {}

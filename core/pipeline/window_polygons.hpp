@@ -3,9 +3,16 @@
 
 #include "core/pipeline/draw_order.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace hs::pipeline {
+
+/// Whether a flat, convex face of the mesh is one polygon, or each of its triangles is.
+enum class Faces : std::uint8_t {
+    as_triangles,
+    whole
+};
 
 struct WindowPolygons {
     std::vector<visibility::WindowPolygon> polygons;
@@ -15,7 +22,8 @@ struct WindowPolygons {
 /// Clips against the view volume, divides and maps, in float as when a triangle is drawn. Depth
 /// grows away from the eye: in the reversed convention it is one minus the stored depth. Weights
 /// are divided by the corner's clip w, so that they are linear along edges in the window.
+/// A face stays whole only if none of it is clipped or culled; it has no weights.
 /// Precondition: the vertex stage has run.
-WindowPolygons window_polygons(const Frame& frame);
+WindowPolygons window_polygons(const Frame& frame, Faces faces = Faces::as_triangles);
 
 } // namespace hs::pipeline

@@ -19,6 +19,33 @@ constexpr Named<Visibility> visibility_names[] = {
     {Visibility::painters,
      "painters",
      "triangles are sorted by one depth each and painted from the farthest to the nearest"},
+    {Visibility::front_lists,
+     "front-lists",
+     "what nothing undrawn lies behind is drawn, by a list for every polygon of those in front"},
+    {Visibility::newell_sancha,
+     "newell-sancha",
+     "sorted by the farthest depth, then five tests for every pair that overlaps; cycles are cut"},
+    {Visibility::bsp,
+     "bsp",
+     "space is divided by the triangles' planes, once for all eyes, and walked from the eye"},
+    {Visibility::octree,
+     "octree",
+     "space is divided in eighths, walked from the nearest; a written pixel is closed"},
+};
+
+constexpr Named<BspSplitter> bsp_splitter_names[] = {
+    {BspSplitter::first, "first", "the first triangle of a list divides it"},
+    {BspSplitter::random, "random", "any triangle of a list divides it, by a seed"},
+    {BspSplitter::fewest_splits,
+     "fewest-splits",
+     "the triangle whose plane cuts the fewest others, of some that are asked, divides a list"},
+};
+
+constexpr Named<BspOrder> bsp_order_names[] = {
+    {BspOrder::back_to_front, "back-to-front", "the nearer paints over the farther"},
+    {BspOrder::front_to_back,
+     "front-to-back",
+     "the nearest is drawn first, and a written pixel is closed"},
 };
 
 constexpr Named<PaintersKey> painters_key_names[] = {
@@ -212,6 +239,14 @@ std::span<const Named<Visibility>> names<Visibility>() {
 template <>
 std::span<const Named<PaintersKey>> names<PaintersKey>() {
     return painters_key_names;
+}
+template <>
+std::span<const Named<BspSplitter>> names<BspSplitter>() {
+    return bsp_splitter_names;
+}
+template <>
+std::span<const Named<BspOrder>> names<BspOrder>() {
+    return bsp_order_names;
 }
 template <>
 std::span<const Named<TraversalKind>> names<TraversalKind>() {

@@ -196,6 +196,25 @@ Complaint assign_guard_band(Settings& settings, std::string_view key, const Sett
     return std::nullopt;
 }
 
+Complaint assign_bsp_seed(Settings& settings, std::string_view key, const SettingValue& value) {
+    constexpr int largest = 1'000'000'000;
+    const std::optional<int> seed = to_int(value, 0, largest);
+    if (!seed) {
+        return must_be(key, "a whole number from 0 to 1000000000", value);
+    }
+    settings.bsp_seed = static_cast<std::uint64_t>(*seed);
+    return std::nullopt;
+}
+
+Complaint assign_order_limit(Settings& settings, std::string_view key, const SettingValue& value) {
+    const std::optional<float> limit = to_float(value);
+    if (!limit || *limit < 1.0F || *limit > 1.0e12F) {
+        return must_be(key, "a number from 1 to 1e12", value);
+    }
+    settings.order_limit = static_cast<double>(*limit);
+    return std::nullopt;
+}
+
 Complaint assign_depth_test(Settings& settings, std::string_view key, const SettingValue& value) {
     CompareOp op = CompareOp::less;
     Complaint complaint = assign_choice(op, key, value);
@@ -372,6 +391,29 @@ std::vector<Row> algorithm_rows() {
         choice_row<&Settings::painters_key>(
             {"painters.key", "the one depth by which the painter's algorithm sorts a polygon", ""}
         ),
+        choice_row<&Settings::bsp_splitter>(
+            {"bsp.splitter", "which triangle's plane divides a list of a BSP tree", ""}
+        ),
+        {info(
+             {"bsp.seed", "with which the random splitter begins: a whole number", ""},
+             SettingType::number
+         ),
+         assign_bsp_seed,
+         [](const Settings& settings) {
+             return SettingValue{static_cast<std::int64_t>(settings.bsp_seed)};
+         }},
+        choice_row<&Settings::bsp_order>(
+            {"bsp.order", "in which direction the BSP tree is walked", ""}
+        ),
+        {info(
+             {"order.limit",
+              "how many decisions an ordering may take: what would take more is refused with an "
+              "estimate",
+              ""},
+             SettingType::number
+         ),
+         assign_order_limit,
+         [](const Settings& settings) { return SettingValue{settings.order_limit}; }},
         choice_row<&Settings::traversal>(
             {"traversal", "which pixels are visited to find those a triangle covers", ""}
         ),
@@ -522,6 +564,12 @@ std::optional<std::string> check_combination(const Settings& settings) {
             print_setting(settings, "viewport"),
             settings.width,
             settings.height
+        );
+    }
+    if (settings.splits_triangles() && settings.traversal == TraversalKind::homogeneous) {
+        return fmt::format(
+            "visibility \"{}\" may cut triangles, which traversal \"homogeneous\" draws whole",
+            name_of(settings.visibility)
         );
     }
     return check_sampling(settings);

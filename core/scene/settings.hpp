@@ -21,13 +21,28 @@ namespace hs::scene {
 enum class Visibility : std::uint8_t {
     none,
     z_buffer,
-    painters
+    painters,
+    front_lists,
+    newell_sancha,
+    bsp,
+    octree
 };
 /// The one depth that stands for a polygon in the painter's algorithm.
 enum class PaintersKey : std::uint8_t {
     farthest,
     nearest,
     centroid
+};
+/// Which polygon of a list divides it in a BSP tree.
+enum class BspSplitter : std::uint8_t {
+    first,
+    random,
+    fewest_splits
+};
+/// In which direction a BSP tree is walked.
+enum class BspOrder : std::uint8_t {
+    back_to_front,
+    front_to_back
 };
 enum class TraversalKind : std::uint8_t {
     brute_force,
@@ -124,6 +139,10 @@ struct Settings {
     glm::vec4 background{0.0F, 0.0F, 0.0F, 1.0F};
     Visibility visibility = Visibility::z_buffer;
     PaintersKey painters_key = PaintersKey::farthest;
+    BspSplitter bsp_splitter = BspSplitter::first;
+    std::uint64_t bsp_seed = 0; ///< of the random splitter
+    BspOrder bsp_order = BspOrder::back_to_front;
+    double order_limit = 5.0e6; ///< decisions; an ordering that would take more is refused
     TraversalKind traversal = TraversalKind::bounding_box;
     LineAlgorithm line_algorithm = LineAlgorithm::bresenham;
     int tile_size = 8; ///< of the hierarchical traversal: a power of two, 2 … 64
@@ -152,6 +171,13 @@ struct Settings {
 
     /// Triangles are drawn in an order that a stage of its own finds, not in file order.
     [[nodiscard]] bool orders_triangles() const { return visibility >= Visibility::painters; }
+    /// That stage may cut triangles in parts.
+    [[nodiscard]] bool splits_triangles() const { return visibility >= Visibility::newell_sancha; }
+    /// Triangles come front to back, so that a written pixel is closed to all that follow.
+    [[nodiscard]] bool closes_pixels() const {
+        return visibility == Visibility::octree ||
+               (visibility == Visibility::bsp && bsp_order == BspOrder::front_to_back);
+    }
     [[nodiscard]] CompareOp depth_test() const {
         const bool reversed = depth_convention == DepthConvention::reversed;
         return depth_test_choice.value_or(reversed ? CompareOp::greater : CompareOp::less);
@@ -235,6 +261,10 @@ template <>
 std::span<const Named<scene::Visibility>> names<scene::Visibility>();
 template <>
 std::span<const Named<scene::PaintersKey>> names<scene::PaintersKey>();
+template <>
+std::span<const Named<scene::BspSplitter>> names<scene::BspSplitter>();
+template <>
+std::span<const Named<scene::BspOrder>> names<scene::BspOrder>();
 template <>
 std::span<const Named<scene::TraversalKind>> names<scene::TraversalKind>();
 template <>

@@ -28,6 +28,8 @@ static_assert(pipeline::TraceSink<CostTrace>);
 struct NoPixels {
     [[nodiscard]] float depth(PixelPos) const { return 1.0F; }
     [[nodiscard]] glm::vec4 color(PixelPos) const { return glm::vec4{0.0F}; }
+    [[nodiscard]] bool closed(PixelPos) const { return false; }
+    void close(PixelPos) {}
     void set_depth(PixelPos, float) {}
     void set_color(PixelPos, const glm::vec4&) {}
 };

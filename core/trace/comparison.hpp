@@ -1,5 +1,5 @@
 // What every traversal would spend on the same scene, or on one triangle of it: each is run, none
-// is recorded.
+// is recorded. Every triangle is drawn whole, whatever an ordering makes of it.
 #pragma once
 
 #include "core/raster/cost.hpp"

@@ -51,6 +51,7 @@ public:
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}
+    void closed_tested(bool) {}
     void depth_tested(const pipeline::DepthTest&) {}
     void merged(const pipeline::Merge&) {}
     void samples_merged(const pipeline::SamplesMerge&) {}
@@ -138,6 +139,11 @@ public:
     void scissor_tested(bool inside) {
         if (listening_) {
             fragment_->scissor_inside = inside;
+        }
+    }
+    void closed_tested(bool open) {
+        if (listening_) {
+            fragment_->pixel_open = open;
         }
     }
     void depth_tested(const pipeline::DepthTest& test) {
@@ -286,9 +292,6 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
     if (step.in_vertex_stage()) {
         detail.vertex = vertex_detail(recording, step.object, step.vertex);
         return detail;
-    }
-    if (step.kind == StepKind::order) {
-        detail.order = order_detail(recording, step.event);
     }
     if (step.kind == StepKind::resolve) {
         detail.resolve = resolve_detail(recording, step.pixel);

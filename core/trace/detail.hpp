@@ -4,7 +4,6 @@
 
 #include "core/geometry/eye_facing.hpp"
 #include "core/pipeline/narration.hpp"
-#include "core/trace/order_detail.hpp"
 #include "core/trace/recording.hpp"
 #include "core/trace/sample_detail.hpp"
 
@@ -88,6 +87,7 @@ struct FragmentDetail {
     std::optional<shading::ShadedFragment> shaded;
     std::optional<LitPoint> lit; ///< per-fragment lighting only
     std::optional<bool> scissor_inside;
+    std::optional<bool> pixel_open;
     std::optional<pipeline::DepthTest> depth_test;
     std::optional<pipeline::Merge> merge; ///< with several samples, of what they resolve to
     fragment::FragmentFate fate = fragment::FragmentFate::written;
@@ -102,7 +102,6 @@ struct ResolveDetail {
 /// What stands behind one step; the parts that its kind has.
 struct StepDetail {
     std::optional<VertexDetail> vertex;
-    std::optional<OrderDetail> order;
     std::optional<TriangleDetail> triangle;
     std::optional<TraversalDetail> traversal; ///< steps in a traversal
     std::optional<VisitDetail> visit;

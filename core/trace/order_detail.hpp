@@ -3,6 +3,10 @@
 #pragma once
 
 #include "core/pipeline/draw_order.hpp"
+#include "core/visibility/bsp_walk.hpp"
+#include "core/visibility/depth_sort.hpp"
+#include "core/visibility/front_lists.hpp"
+#include "core/visibility/octree_walk.hpp"
 #include "core/visibility/painters.hpp"
 
 #include <cstdint>
@@ -14,8 +18,24 @@ namespace hs::trace {
 
 struct Recording;
 
+/// A tree under construction or, once it is complete, being walked.
+struct BspMoment {
+    visibility::BspTree tree;
+    visibility::BspWalk walk;
+};
+struct OctreeMoment {
+    visibility::Octree tree;
+    visibility::OctreeWalk walk;
+};
+
 /// The state of whichever algorithm ran.
-using OrderState = std::variant<std::monostate, visibility::PaintersSort>;
+using OrderState = std::variant<
+    std::monostate,
+    visibility::PaintersSort,
+    visibility::FrontLists,
+    visibility::DepthSort,
+    BspMoment,
+    OctreeMoment>;
 
 struct OrderDetail {
     visibility::OrderEvent decision;
@@ -24,6 +44,8 @@ struct OrderDetail {
     /// The polygons that the decision's numbers mean, in the window; empty for algorithms that
     /// order in the world.
     [[nodiscard]] std::span<const visibility::WindowPolygon> window_polygons() const;
+    /// Likewise in the world.
+    [[nodiscard]] std::span<const visibility::WorldPolygon> world_polygons() const;
     /// Which triangle the polygon of a number is, or was part of; nothing for −1.
     [[nodiscard]] std::optional<pipeline::OrderedPolygon> polygon(std::int32_t number) const;
 };

@@ -120,6 +120,7 @@ public:
     }
     void shaded(const shading::ShadedFragment&) { add(StepKind::shade); }
     void scissor_tested(bool inside) { add_test(StepKind::scissor_test, inside, !inside); }
+    void closed_tested(bool open) { add_test(StepKind::closed_test, open, !open); }
     void depth_tested(const pipeline::DepthTest& test) {
         const std::int32_t of_fragment = std::exchange(at_.sample, test.sample);
         add_test(StepKind::depth_test, test.passed, test.fatal());

@@ -19,6 +19,10 @@ public:
     [[nodiscard]] glm::vec4 color(PixelPos) const {
         return exists() ? pixel_before(recording_, fragment_).color : glm::vec4{0.0F};
     }
+    [[nodiscard]] bool closed(PixelPos) const {
+        return exists() && pixel_before(recording_, fragment_).triangle != no_triangle;
+    }
+    void close(PixelPos) {}
     void set_depth(PixelPos, float) {}
     void set_color(PixelPos, const glm::vec4&) {}
 

@@ -153,6 +153,7 @@ Counters Player::counters() const {
         count_cost(counters, window.costs[s.id - window.first_step]);
         const bool first = s.kind == StepKind::clip_plane ? previous == StepKind::outcodes
                                                           : previous != StepKind::scissor_test &&
+                                                                previous != StepKind::closed_test &&
                                                                 previous != StepKind::depth_test;
         count_step(counters, s.kind, !s.fatal, first);
         previous = s.kind;

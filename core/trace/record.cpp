@@ -1,6 +1,7 @@
 // Recording a frame: the pipeline draws into pixels that know their owner, and a sink keeps the
 // facts.
 #include "core/pipeline/draw_frame.hpp"
+#include "core/pipeline/order_refusal.hpp"
 #include "core/trace/recording.hpp"
 #include "core/trace/tally.hpp"
 
@@ -24,6 +25,8 @@ public:
 
     [[nodiscard]] float depth(PixelPos p) const { return buffer_[p].depth; }
     [[nodiscard]] glm::vec4 color(PixelPos p) const { return buffer_.color(p); }
+    [[nodiscard]] bool closed(PixelPos p) const { return buffer_[p].overdraw > 0; }
+    void close(PixelPos) {} // counting what is written does
     void set_depth(PixelPos p, float depth) { writable(p).depth = depth; }
     void set_color(PixelPos p, const glm::vec4& color) {
         writable(p).color = framebuffer::pack(color);
@@ -178,6 +181,9 @@ public:
     void shaded(const shading::ShadedFragment&) { step(StepKind::shade); }
     void scissor_tested(bool inside) {
         step(StepKind::scissor_test, inside, !std::exchange(tested_, true));
+    }
+    void closed_tested(bool open) {
+        step(StepKind::closed_test, open, !std::exchange(tested_, true));
     }
     void depth_tested(const pipeline::DepthTest& test) {
         step(StepKind::depth_test, !test.fatal(), !std::exchange(tested_, true));
@@ -375,10 +381,11 @@ record_frame(std::shared_ptr<const scene::Scene> scene, const RecordOptions& opt
     recording->samples = SampleLog(source.settings);
     RecordedPixels pixels(source.settings, recording->samples);
     FactsTrace facts(*recording, pixels, options);
-    for (pipeline::DrawCall& call : recording->frame->calls()) {
-        pipeline::run_vertex_stage(call, facts, options.threads);
-    }
+    pipeline::shade_vertices(*recording->frame, facts, options.threads);
     facts.vertex_stage_end();
+    if (const auto complaint = pipeline::refuse_order(*recording->frame)) {
+        return Diagnostic{.file = source.file, .message = *complaint};
+    }
     recording->order = pipeline::order_triangles(*recording->frame, facts);
     recording->draw_steps.reserve(recording->order.draws.size());
     facts.order_end();

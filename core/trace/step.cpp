@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 27> table{{
+    static constexpr std::array<Named<StepKind>, 28> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -41,6 +41,9 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
         {StepKind::interpolate, "interpolate", "depth and varyings are interpolated at the pixel"},
         {StepKind::shade, "shade", "the fragment gets its color"},
         {StepKind::scissor_test, "scissor test", "the pixel is held against the scissor rectangle"},
+        {StepKind::closed_test,
+         "closed test",
+         "front to back, a pixel takes only the first fragment that is written"},
         {StepKind::depth_test,
          "depth test",
          "the fragment's depth is compared with the stored one"},
@@ -67,7 +70,7 @@ std::span<const Named<trace::Stage>> names<trace::Stage>() {
         {Stage::setup, "setup", "edge functions are prepared"},
         {Stage::traverse, "traverse", "pixels are asked whether they are covered"},
         {Stage::shade, "shade", "fragments get their color"},
-        {Stage::test, "test", "scissor and depth tests decide each fragment's fate"},
+        {Stage::test, "test", "scissor, closed and depth tests decide each fragment's fate"},
         {Stage::merge, "merge", "surviving fragments change their pixel"},
     }};
     return table;
@@ -120,6 +123,7 @@ Stage stage_of(StepKind kind) {
     case StepKind::interpolate: return Stage::traverse;
     case StepKind::shade: return Stage::shade;
     case StepKind::scissor_test:
+    case StepKind::closed_test:
     case StepKind::depth_test: return Stage::test;
     case StepKind::merge:
     case StepKind::resolve:

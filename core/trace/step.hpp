@@ -42,6 +42,7 @@ enum class StepKind : std::uint8_t {
     interpolate,
     shade,
     scissor_test,
+    closed_test,
     depth_test,
     merge,
     resolve,

@@ -36,10 +36,13 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::interpolate: ++counters.fragments; break;
     case StepKind::shade: ++counters.fragments_shaded; break;
     case StepKind::scissor_test:
+    case StepKind::closed_test:
     case StepKind::depth_test: {
         counters.fragments_tested += first ? 1U : 0U;
         const auto failed = kind == StepKind::depth_test ? fragment::FragmentFate::depth_failed
-                                                         : fragment::FragmentFate::scissor_failed;
+                            : kind == StepKind::closed_test
+                                ? fragment::FragmentFate::pixel_closed
+                                : fragment::FragmentFate::scissor_failed;
         counters.fates[static_cast<std::size_t>(failed)] += passed ? 0U : 1U;
         break;
     }

@@ -76,6 +76,7 @@ public:
     }
     void shaded(const shading::ShadedFragment&) {}
     void scissor_tested(bool) {}
+    void closed_tested(bool) {}
     void depth_tested(const pipeline::DepthTest&) {}
     void merged(const pipeline::Merge&) {}
     void samples_merged(const pipeline::SamplesMerge&) {}

@@ -11,6 +11,7 @@
 // same plane twice: the tree is finite.
 #pragma once
 
+#include "core/scene/settings.hpp"
 #include "core/visibility/order_trace.hpp"
 #include "core/visibility/polygon_set.hpp"
 
@@ -21,12 +22,9 @@
 
 namespace hs::visibility {
 
-/// Which polygon of a list splits it.
-enum class Splitter : std::uint8_t {
-    first,        ///< of the list
-    random,       ///< any, by a seed
-    fewest_splits ///< that splits fewest others, of up to `max_candidates` spread over the list
-};
+/// Which polygon of a list splits it: the first, any by a seed, or the one that splits fewest
+/// others, of up to `max_candidates` spread over the list.
+using Splitter = scene::BspSplitter;
 
 /// Asking every polygon of a list would cost its square. Fuchs, Kedem and Naylor found that a few
 /// candidates do nearly as well.

@@ -15,10 +15,8 @@
 
 namespace hs::visibility {
 
-enum class WalkOrder : std::uint8_t {
-    back_to_front, ///< paint over
-    front_to_back  ///< close what is written
-};
+/// Back to front to paint over, front to back to close what is written.
+using WalkOrder = scene::BspOrder;
 
 /// A node still to enter, or to emit between its two sides.
 struct BspVisit {

@@ -22,8 +22,9 @@ struct WindowSpace {};
 template <typename Space>
 struct Corner {
     glm::dvec3 position{0.0};
-    glm::dvec3 weights{
-        0.0}; ///< of its triangle's three vertices in clip coordinates; they sum to one
+    /// Of its triangle's three vertices in clip coordinates, scaled so that they are linear along
+    /// edges: in the world they sum to one, in the window to one over the corner's clip w.
+    glm::dvec3 weights{0.0};
     friend bool operator==(const Corner&, const Corner&) = default;
 };
 

@@ -208,3 +208,22 @@ TEST_CASE("a wrong expression is one located line", "[app][command]") {
         std::string::npos
     );
 }
+
+TEST_CASE("an order that has no meaning or no end in sight is refused", "[app][command]") {
+    const std::string settings = "[settings]\nvisibility = ";
+    const std::string bent = "[camera]\nprojection = { kind = \"identity\" }\n[[object]]\nvertices "
+                             "= [[-1, -1, 0, 1], [1, "
+                             "-1, 0, 2], [0, 1, 0, 1]]\npolygons = [[0, 1, 2]]\n";
+    CHECK(
+        refused_scene(settings + "\"bsp\"\n" + bent) ==
+        "scene.toml: visibility \"bsp\" orders triangles in the world, where a vertex needs w = 1; "
+        "vertex 1 of object 0 has w = 2"
+    );
+    CHECK(
+        refused_scene(
+            settings + "\"front-lists\"\norder.limit = 20\n[[object]]\nshape = { kind = "
+                       "\"sphere\", triangles = 500 }\n"
+        )
+            .find("would take about ") != std::string::npos
+    );
+}

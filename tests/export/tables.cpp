@@ -229,8 +229,8 @@ TEST_CASE("an unknown table is refused with the names of those there are", "[exp
     const auto table = exporting::make_table(tests::random_player(0), "normals");
     REQUIRE_FALSE(table);
     CHECK(
-        table.diagnostics().front().message == "'normals' is not a table; known are vertices, "
-                                               "triangles, fragments, samples, counters, runs, "
-                                               "pieces, piece-vertices, traversals"
+        table.diagnostics().front().message ==
+        "'normals' is not a table; known are vertices, triangles, fragments, samples, counters, "
+        "runs, pieces, piece-vertices, order, steps, traversals"
     );
 }

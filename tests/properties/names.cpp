@@ -57,6 +57,8 @@ constexpr Table tables[] = {
     {"geometry::ClipPlane", check_table<geometry::ClipPlane>},
     {"geometry::TriangleVerdict", check_table<geometry::TriangleVerdict>},
     {"raster::TileVerdict", check_table<raster::TileVerdict>},
+    {"scene::BspOrder", check_table<scene::BspOrder>},
+    {"scene::BspSplitter", check_table<scene::BspSplitter>},
     {"scene::ColorFormat", check_table<scene::ColorFormat>},
     {"scene::CompareOp", check_table<scene::CompareOp>},
     {"scene::CullFace", check_table<scene::CullFace>},

@@ -93,7 +93,7 @@ TEST_CASE(
 ) {
     int decided = 0;
     int wrong = 0;
-    for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         const auto scene = opaque_scene(seed);
         const auto key = static_cast<scene::PaintersKey>(seed % 3);
         const auto reference = recorded(*scene, scene::Visibility::z_buffer, key);

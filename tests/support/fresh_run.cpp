@@ -86,6 +86,7 @@ public:
         add(StepKind::shade);
     }
     void scissor_tested(bool inside) { test(StepKind::scissor_test, inside, 1); }
+    void closed_tested(bool open) { test(StepKind::closed_test, open, 3); }
     void depth_tested(const pipeline::DepthTest& t) {
         test(StepKind::depth_test, t.sample < 0 ? t.passed : !t.discards, 2);
     }

@@ -20,9 +20,12 @@ scene::Settings random_settings(Random& random) {
     s.background = {0.125F, 0.25F, 0.5F, 1.0F};
     s.visibility = random.one_in(4) ? scene::Visibility::none : scene::Visibility::z_buffer;
     if (random.one_in(3)) {
-        s.visibility = scene::Visibility::painters;
+        s.visibility = static_cast<scene::Visibility>(2 + random.below(5));
     }
     s.painters_key = any<scene::PaintersKey>(random, 3);
+    s.bsp_splitter = any<scene::BspSplitter>(random, 3);
+    s.bsp_seed = random.below(4);
+    s.bsp_order = any<scene::BspOrder>(random, 2);
     s.traversal = any<scene::TraversalKind>(random, 8);
     s.tile_size = 2 << random.below(6);
     s.clip_enabled = !random.one_in(5);
@@ -87,6 +90,24 @@ std::shared_ptr<const scene::Mesh> random_mesh(Random& random, bool clip_space) 
     return mesh;
 }
 
+/// Takes back what is refused: cutting triangles that are drawn whole, dividing a world in which
+/// vertices have no place.
+void make_meaningful(scene::Scene& scene) {
+    using scene::Visibility;
+    scene::Settings& s = scene.settings;
+    if (s.splits_triangles() && s.traversal == scene::TraversalKind::homogeneous) {
+        s.traversal = scene::TraversalKind::bounding_box;
+    }
+    const bool in_world = s.visibility == Visibility::bsp || s.visibility == Visibility::octree;
+    for (const scene::Object& object : scene.objects) {
+        for (const glm::vec4& position : object.mesh->positions) {
+            if (in_world && position.w != 1.0F) {
+                s.visibility = Visibility::newell_sancha;
+            }
+        }
+    }
+}
+
 } // namespace
 
 std::shared_ptr<const scene::Scene> random_scene(std::uint64_t seed) {
@@ -115,6 +136,7 @@ std::shared_ptr<const scene::Scene> random_scene(std::uint64_t seed) {
         }
         made->objects.push_back(std::move(object));
     }
+    make_meaningful(*made);
     return made;
 }
 

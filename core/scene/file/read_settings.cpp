@@ -94,8 +94,9 @@ void read_settings(SceneReader& reader, const toml::table& table) {
         }
     );
     if (const auto complaint = check_combination(settings)) {
-        const toml::node* to_blame = table.get(complaint->substr(0, complaint->find(' ')));
-        reader.complaints.add(to_blame != nullptr ? *to_blame : table, *complaint);
+        // The complaint's first word is the key it is about
+        const toml::node* culprit = table.get(complaint->substr(0, complaint->find(' ')));
+        reader.complaints.add(culprit != nullptr ? *culprit : table, *complaint);
     }
 }
 

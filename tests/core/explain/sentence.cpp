@@ -28,8 +28,17 @@ trace::Player player() {
     return trace::Player{*recording};
 }
 
-std::string sentence_at(std::string_view path) {
-    trace::Player at = player();
+/// The same, ordered by an algorithm.
+trace::Player ordered_by(scene::Visibility visibility) {
+    Result<scene::Scene> scene = scene::parse_scene(scene_text, "test.toml");
+    REQUIRE(scene);
+    scene->settings.visibility = visibility;
+    const auto recording = trace::record(std::make_shared<const scene::Scene>(*scene));
+    REQUIRE(recording);
+    return trace::Player{*recording};
+}
+
+std::string sentence_at(std::string_view path, trace::Player at = player()) {
     const Result<trace::StepId> step = trace::find_step(at.recording(), path);
     REQUIRE(step);
     at.seek(*step);
@@ -66,5 +75,29 @@ TEST_CASE("every step of a frame has a sentence that ends in a full stop", "[exp
         const std::string text = explain::sentence(at);
         REQUIRE(text.size() > 10);
         REQUIRE(text.back() == '.');
+    }
+}
+
+TEST_CASE("a comparison of keys is told with both numbers and who goes first", "[explain]") {
+    CHECK(
+        sentence_at("visibility / comparison 0", ordered_by(scene::Visibility::painters)) ==
+        "Farthest depth 0.7500 of triangle 1 is farther than 0.2500 of triangle 0: triangle 1 goes "
+        "first."
+    );
+}
+
+TEST_CASE("every decision of every algorithm is told in one sentence", "[explain]") {
+    for (const Named<scene::Visibility>& kind : names<scene::Visibility>()) {
+        trace::Player at = ordered_by(kind.value);
+        const trace::Recording& recording = at.recording();
+        for (trace::StepId id = recording.first_order_step; id < recording.first_triangle_step;
+             ++id) {
+            at.seek(id);
+            const std::string text = explain::sentence(at);
+            INFO(kind.name << ": " << text);
+            CHECK(text.ends_with('.'));
+            CHECK((text.front() >= 'A' && text.front() <= 'Z'));
+            CHECK(text.find("  ") == std::string::npos);
+        }
     }
 }

@@ -160,6 +160,13 @@ TEST_CASE("every fate is reached, and every fragment has one", "[pipeline]") {
     CHECK(result.fates[FragmentFate::written] == 48);
     CHECK(result.fates[FragmentFate::depth_failed] == 48);
     CHECK(result.fates[FragmentFate::scissor_failed] == 32);
+
+    settings.visibility = scene::Visibility::bsp;
+    settings.bsp_order = scene::BspOrder::front_to_back;
+    Outcome front_to_back = outcome(soup, settings);
+    CHECK(front_to_back.fates[FragmentFate::written] == 48);
+    CHECK(front_to_back.fates[FragmentFate::pixel_closed] == 48);
+    result.fates.merge(front_to_back.fates);
     CHECK(result.fates.size() == fragment::fate_count);
 }
 

@@ -54,7 +54,7 @@ void check_table(std::size_t count) {
 } // namespace
 
 TEST_CASE("every enumerator of the scene room has a name and a sentence", "[unit][scene]") {
-    check_table<Visibility>(2);
+    check_table<Visibility>(7);
     check_table<TraversalKind>(8);
     check_table<CullFace>(3);
     check_table<Winding>(2);
@@ -156,7 +156,7 @@ TEST_CASE("a refused value leaves the settings as they were", "[unit][scene]") {
         {"background", numbers({0.0, 0.0, infinity, 1.0})},
         {"background", numbers({0.0, 0.0, 1e39, 1.0})},
         {"background", numbers({0.0, 0.0, 0.0})},
-        {"visibility", text("bsp")},
+        {"visibility", text("warnock")},
         {"depth.write", whole(1)},
         {"depth.clear", {nan}},
         {"depth.clear", {1.5}},
@@ -193,8 +193,9 @@ TEST_CASE("an unknown setting is refused with the nearest known one", "[unit][sc
         "there is no setting \"depth.tset\"; did you mean \"depth.test\"?"
     );
     CHECK(
-        assign(settings, "visibility", text("bsp")) ==
-        "visibility must be \"none\" or \"z-buffer\", not \"bsp\""
+        assign(settings, "visibility", text("warnock")) ==
+        "visibility must be \"none\", \"z-buffer\", \"painters\", \"front-lists\", "
+        "\"newell-sancha\", \"bsp\" or \"octree\", not \"warnock\""
     );
     CHECK(find_setting("depth") == nullptr);
 }

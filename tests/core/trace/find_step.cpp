@@ -76,3 +76,42 @@ TEST_CASE("a step that does not exist is answered with what does", "[trace]") {
     complains("", "not understood");
     complains("object 0 / triangle 0 / light", "no step 'light'");
 }
+
+TEST_CASE("decisions of an ordering are named by their words and their number", "[trace]") {
+    auto scene = tests::stacked_scene(3, 4, 4);
+    scene->settings.visibility = scene::Visibility::painters;
+    const auto recording = trace::record(scene).value();
+    CHECK(path_of(*recording, "visibility") == "visibility / emit 2");
+    CHECK(path_of(*recording, "visibility / comparison 1") == "visibility / comparison 1");
+    CHECK(path_of(*recording, "move 0") == "visibility / move 0");
+    CHECK(
+        path_of(*recording, "visibility / comparison 99") ==
+        "the ordering has no comparison 99; its steps of that name are 0 to 2"
+    );
+    CHECK(path_of(*recording, "visibility / split 0") == "the ordering has no step 'split'");
+    CHECK(
+        path_of(*one_triangle(), "visibility").starts_with("visibility \"z-buffer\" orders nothing")
+    );
+}
+
+TEST_CASE("an order is followed by the triangles, not by their numbers", "[trace]") {
+    auto scene = tests::clip_space_scene(
+        {{-1, -1, -0.5F, 1},
+         {1, -1, -0.5F, 1},
+         {-1, 1, -0.5F, 1},
+         {-1, -1, 0.5F, 1},
+         {1, -1, 0.5F, 1},
+         {-1, 1, 0.5F, 1}},
+        4,
+        4
+    );
+    scene->settings.visibility = scene::Visibility::painters;
+    const auto recording = trace::record(scene).value();
+    CHECK(recording->order.draws.front().triangle == 1);
+    CHECK(recording->triangles[1].first_step < recording->triangles[0].first_step);
+    CHECK(trace::find_step(*recording, "object 0 / triangle 0").value() == recording->end_step - 1);
+    trace::Player player(recording);
+    player.seek(recording->first_triangle_step - 1);
+    player.advance(trace::Granularity::triangle, trace::Direction::forward);
+    CHECK(player.current().triangle == 1);
+}
