@@ -184,7 +184,8 @@ TEST_CASE("what cuts triangles shows what a z-buffer shows", "[property][visibil
         }
         INFO(name_of(visibility) << ": " << parts << " parts, " << excused << " excused");
         CHECK(parts > 100);
-        const int share = visibility == Visibility::octree ? 10 : 200; // leaves undecided
+        // Copies of a triangle and coplanar ones tie all over; an octree leaves leaves undecided
+        const int share = visibility == Visibility::octree ? 10 : 100;
         CHECK(excused * share < agreeing);
     }
 }
