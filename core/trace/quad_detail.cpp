@@ -6,10 +6,29 @@
 namespace hs::trace {
 namespace {
 
-/// The polygon that the pieces of a triangle are fanned from.
-geometry::ClipPolygon polygon_of(const pipeline::DrawCall& call, const TriangleDetail& triangle) {
-    return triangle.passes.empty() ? pipeline::assemble(call, triangle.vertices)
-                                   : triangle.passes.back().after;
+/// What pieces are fanned from, and the number of the first.
+struct Fan {
+    geometry::ClipPolygon polygon;
+    int first_piece = 0;
+};
+
+/// The triangle, or the part of it that the step draws, after clipping.
+Fan fan_of(const Recording& recording, const TriangleDetail& triangle, const Step& step) {
+    const pipeline::DrawCall& call = recording.frame->calls()[step.object];
+    const pipeline::Draw& draw = recording.order.draws[recording.draw_of_step(step.id)];
+    Fan fan;
+    if (draw.part < 0) {
+        fan.polygon = pipeline::assemble(call, triangle.vertices);
+    } else {
+        const auto index = static_cast<std::size_t>(draw.part);
+        const pipeline::TrianglePart& part = recording.order.parts[index];
+        fan.polygon = pipeline::assemble(call, triangle.vertices, part).polygon;
+        fan.first_piece = part.first_piece;
+    }
+    if (!triangle.passes.empty()) {
+        fan.polygon = triangle.passes.back().after;
+    }
+    return fan;
 }
 
 /// What is interpolated over a piece. The polygon owns the varyings.
@@ -62,12 +81,12 @@ quad_detail(const Recording& recording, const TriangleDetail& triangle, const St
         return std::nullopt;
     }
     const pipeline::DrawCall& call = recording.frame->calls()[step.object];
-    const geometry::ClipPolygon polygon = polygon_of(call, triangle);
+    const Fan fan = fan_of(recording, triangle, step);
     QuadDetail detail;
     detail.layout = call.vertex.layout;
     detail.quad = raster::make_quad(
         *piece->setup,
-        interpolator_of(call, polygon, *piece, step.piece),
+        interpolator_of(call, fan.polygon, *piece, step.piece - fan.first_piece),
         step.pixel,
         Covers(call, *piece->setup)
     );

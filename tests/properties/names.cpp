@@ -4,6 +4,7 @@
 #include "core/geometry/facing.hpp"
 #include "core/raster/tile.hpp"
 #include "core/scene/scene.hpp"
+#include "core/search/query.hpp"
 #include "core/trace/counterpart.hpp"
 #include "core/trace/step.hpp"
 #include "core/visibility/order_names.hpp"
@@ -78,6 +79,7 @@ constexpr Table tables[] = {
     {"scene::TraversalKind", check_table<scene::TraversalKind>},
     {"scene::Visibility", check_table<scene::Visibility>},
     {"scene::Winding", check_table<scene::Winding>},
+    {"search::Rows", check_table<search::Rows>},
     {"trace::Granularity", check_table<trace::Granularity>},
     {"trace::Match", check_table<trace::Match>},
     {"trace::Stage", check_table<trace::Stage>},

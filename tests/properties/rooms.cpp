@@ -203,6 +203,7 @@ TEST_CASE("core knows no window, no OpenGL and no ImGui", "[property][rooms]") {
         "toml++/",
         "nlohmann/",
         "zip.h",
+        "lua.hpp",
         "fcntl.h",
         "unistd.h"};
     for (const Include& include : includes_below("core")) {

@@ -1,5 +1,5 @@
 // Claims about whole frames with several samples a pixel.
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/soup_scene.hpp"

@@ -1,6 +1,6 @@
 #include "core/explain/formulas.hpp"
 #include "core/explain/sentence.hpp"
-#include "core/pipeline/draw.hpp"
+#include "core/pipeline/draw_frame.hpp"
 #include "core/scene/scene_file.hpp"
 #include "core/trace/player.hpp"
 #include "tests/support/catch.hpp"

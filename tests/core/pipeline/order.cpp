@@ -1,6 +1,8 @@
 #include "core/pipeline/order.hpp"
 
 #include "core/pipeline/draw_frame.hpp"
+#include "core/scene/scene_file.hpp"
+#include "core/trace/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random_scene.hpp"
 #include "tests/support/soup_scene.hpp"
@@ -127,5 +129,21 @@ TEST_CASE("painter's paints over what is farther, not over what came before", "[
         const tests::Drawing drawing = tests::drawn(tests::soup_scene(soup, settings));
         CHECK(drawing.target.color({3, 4}) == expected);
         CHECK(drawing.target.depth({3, 4}) == settings.depth_clear());
+    }
+}
+
+TEST_CASE("lines and points are refused where only triangles have a place", "[unit][pipeline]") {
+    for (const char* setting : {"visibility = \"painters\"", "samples = 4"}) {
+        INFO(setting);
+        auto scene = scene::parse_scene(
+            std::string{"[settings]\n"} + setting +
+                "\n[[object]]\nvertices = [[0, 0, 0], [1, 0, 0]]\nlines = [[0, 1]]\n",
+            "lines.toml"
+        );
+        REQUIRE(scene);
+        const auto recording = trace::record(std::make_shared<scene::Scene>(std::move(*scene)));
+        REQUIRE_FALSE(recording);
+        CHECK(recording.diagnostics().front().message.find("object 0") != std::string::npos);
+        CHECK(recording.diagnostics().front().message.find("lines or points") != std::string::npos);
     }
 }
