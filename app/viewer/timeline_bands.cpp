@@ -58,7 +58,12 @@ void TimelineBands::gather_draws(const trace::Recording& recording) {
             {first,
              recording.first_resolve_step - 1,
              trace::Stage::traverse,
-             fmt::format("triangles of object {}", draws[i].object)}
+             fmt::format(
+                 "{} of object {}",
+                 recording.frame->calls()[draws[i].object].triangles().empty() ? "lines and points"
+                                                                               : "triangles",
+                 draws[i].object
+             )}
         );
     }
     if (frame_.size() - before > most_objects) {

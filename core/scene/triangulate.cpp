@@ -192,7 +192,7 @@ void fit_to_unit_sphere(Mesh& mesh) {
         return;
     }
     for (glm::vec4& position : mesh.positions) {
-        const double w{position.w};
+        const auto w = static_cast<double>(position.w);
         const glm::dvec3 moved = (glm::dvec3{position} - center * w) / radius;
         position = glm::vec4{glm::vec3{moved}, position.w};
     }

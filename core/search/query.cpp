@@ -41,7 +41,7 @@ Value value_of(const Column& column, std::size_t component, std::size_t row) {
     column.read(row, bytes.data());
     std::int64_t whole = 0;
     switch (column.type) {
-    case ColumnType::float32: return double{number_at<float>(bytes.data(), component)};
+    case ColumnType::float32: return static_cast<double>(number_at<float>(bytes.data(), component));
     case ColumnType::float64: return number_at<double>(bytes.data(), component);
     case ColumnType::uint8: whole = number_at<std::uint8_t>(bytes.data(), component); break;
     case ColumnType::uint16: whole = number_at<std::uint16_t>(bytes.data(), component); break;

@@ -43,8 +43,8 @@ CurveFrame trefoil(int step, int steps) {
     const glm::dvec3 outward{a.cosine, a.sine, 0.0};
     const glm::dvec3 along{-a.sine, a.cosine, 0.0};
     const glm::dvec3 axis{0.0, 0.0, 1.0};
-    const double cosine{b.cosine};
-    const double sine{b.sine};
+    const auto cosine = static_cast<double>(b.cosine);
+    const auto sine = static_cast<double>(b.sine);
     const double distance = ring + offset * cosine;
     const glm::dvec3 tangent = glm::normalize(
         windings * distance * along + turns * offset * (cosine * axis - sine * outward)

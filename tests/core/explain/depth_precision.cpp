@@ -122,7 +122,7 @@ TEST_CASE("the recorded depths lie on the curve", "[explain]") {
         bool near = false;
         bool far = false;
         for (std::size_t i = 0; i < recording->fragments.size(); ++i) {
-            const double depth{recording->fragments[i].depth};
+            const auto depth = static_cast<double>(recording->fragments[i].depth);
             near = near || std::abs(depth - curve.depth(7.0)) < 1.0e-6;
             far = far || std::abs(depth - curve.depth(80.0)) < 1.0e-6;
         }
