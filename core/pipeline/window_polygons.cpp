@@ -21,7 +21,9 @@ public:
         for (int corner = 0; corner < 3; ++corner) {
             vertices[corner] = xyw(call.vertices[indices[corner]].clip);
         }
-        to_weights_ = glm::inverse(vertices);
+        if (glm::determinant(vertices) != 0.0) { // else it is edge-on, and left out as unseen
+            to_weights_ = glm::inverse(vertices);
+        }
     }
 
     [[nodiscard]] glm::dvec3 operator()(const math::ClipPosition& p) const {
