@@ -87,10 +87,11 @@ std::string first_difference(const trace::VisibilityOutcome& row) {
 
 std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
     std::string text = fmt::format(
-        "{:<15}{:>12}{:>10}{:>12}{:>12}{:>17}  first such pixel\n",
+        "{:<15}{:>12}{:>12}{:>9}{:>12}{:>12}{:>17}  first such pixel\n",
         "visibility",
         "decisions",
-        "parts",
+        "questions",
+        "cuts",
         "fragments",
         "written",
         "unlike z-buffer"
@@ -101,10 +102,11 @@ std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
             continue;
         }
         std::string line = fmt::format(
-            "{:<15}{:>12}{:>10}{:>12}{:>12}{:>17}  {}",
+            "{:<15}{:>12}{:>12}{:>9}{:>12}{:>12}{:>17}  {}",
             name_of(row.visibility),
             row.decision_count,
-            row.parts,
+            row.questions,
+            row.cuts,
             row.fragments,
             row.written,
             row.from_z_buffer.pixels,
@@ -116,13 +118,19 @@ std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
     return text;
 }
 
-nlohmann::ordered_json decisions_json(const trace::OrderCounts& counts) {
-    nlohmann::ordered_json decisions = nlohmann::ordered_json::object();
-    for (const auto& kind : names<visibility::OrderEventKind>()) {
+template <typename Kind, typename Counts>
+void add_counts(nlohmann::ordered_json& object, const Counts& counts) {
+    for (const Named<Kind>& kind : names<Kind>()) {
         if (const std::uint64_t count = counts[static_cast<std::size_t>(kind.value)]; count > 0) {
-            decisions[std::string{kind.name}] = count;
+            object[std::string{kind.name}] = count;
         }
     }
+}
+
+nlohmann::ordered_json decisions_json(const trace::VisibilityOutcome& row) {
+    nlohmann::ordered_json decisions = nlohmann::ordered_json::object();
+    add_counts<visibility::OrderEventKind>(decisions, row.decisions);
+    add_counts<visibility::SweepEventKind>(decisions, row.sweeps);
     return decisions;
 }
 
@@ -135,7 +143,9 @@ std::string as_json(const std::vector<trace::VisibilityOutcome>& rows) {
             document.push_back(entry);
             continue;
         }
-        entry["decisions"] = decisions_json(row.decisions);
+        entry["decisions"] = decisions_json(row);
+        entry["questions"] = row.questions;
+        entry["cuts"] = row.cuts;
         entry["parts"] = row.parts;
         entry["fragments"] = row.fragments;
         entry["written"] = row.written;

@@ -195,7 +195,8 @@ TEST_CASE("an unknown setting is refused with the nearest known one", "[unit][sc
     CHECK(
         assign(settings, "visibility", text("warnock")) ==
         "visibility must be \"none\", \"z-buffer\", \"painters\", \"front-lists\", "
-        "\"newell-sancha\", \"bsp\" or \"octree\", not \"warnock\""
+        "\"newell-sancha\", \"bsp\", \"octree\", \"scanline\", \"scanline-z\" or \"ray-cast\", not "
+        "\"warnock\""
     );
     CHECK(find_setting("depth") == nullptr);
 }
