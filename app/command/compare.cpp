@@ -2,7 +2,7 @@
 // every visible-surface algorithm makes of the scene.
 #include "app/command/command.hpp"
 #include "core/trace/comparison.hpp"
-#include "core/trace/visibility_comparison.hpp"
+#include "core/trace/visibility_growth.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +14,7 @@ struct Options {
     std::filesystem::path file;
     std::string at;
     bool visibility = false;
+    bool growth = false;
 };
 
 double per_fragment(std::uint64_t count, const trace::TraversalCost& row) {
@@ -170,6 +171,48 @@ int run_visibility(const Options& options, const Common& common) {
     return print(common.json ? as_json(rows) : as_table(rows));
 }
 
+/// A column for every number of triangles, a row for every algorithm; "–" where it was refused.
+std::string as_table(const std::vector<trace::GrowthPoint>& points) {
+    std::string text = fmt::format("{:<15}", "triangles");
+    for (const trace::GrowthPoint& point : points) {
+        text += fmt::format("{:>12}", point.triangles);
+    }
+    text += '\n';
+    for (const Named<scene::Visibility>& kind : names<scene::Visibility>()) {
+        text += fmt::format("{:<15}", kind.name);
+        for (const trace::GrowthPoint& point : points) {
+            const auto& outcome = point.outcomes[static_cast<std::size_t>(kind.value)];
+            text += outcome.refusal.empty() ? fmt::format("{:>12}", outcome.questions)
+                                            : fmt::format("{:>12}", "-");
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string as_json(const std::vector<trace::GrowthPoint>& points) {
+    auto document = nlohmann::ordered_json::array();
+    for (const trace::GrowthPoint& point : points) {
+        nlohmann::ordered_json questions = nlohmann::ordered_json::object();
+        for (const trace::VisibilityOutcome& outcome : point.outcomes) {
+            if (outcome.refusal.empty()) {
+                questions[std::string{name_of(outcome.visibility)}] = outcome.questions;
+            }
+        }
+        document.push_back({{"triangles", point.triangles}, {"questions", questions}});
+    }
+    return document.dump() + '\n';
+}
+
+int run_growth(const Options& options, const Common& common) {
+    const auto recording = record_file(options.file, common);
+    if (!recording) {
+        return fail(recording.diagnostics());
+    }
+    const auto points = trace::visibility_growth((*recording)->scene());
+    return print(common.json ? as_json(points) : as_table(points));
+}
+
 int run_compare(const Options& options, const Common& common) {
     const auto recording = record_file(options.file, common);
     if (!recording) {
@@ -197,7 +240,8 @@ Command add_compare(CLI::App& program, const Common& common) {
     );
     app->footer("Examples:\n"
                 "  halfspace compare scene.toml --at 'object 0 / triangle 12'\n"
-                "  halfspace compare scene.toml --visibility");
+                "  halfspace compare scene.toml --visibility\n"
+                "  halfspace compare mesh.obj --growth");
     app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--at", options->at, "only the triangle of this step");
     app->add_flag(
@@ -205,9 +249,15 @@ Command add_compare(CLI::App& program, const Common& common) {
         options->visibility,
         "compare every visible-surface algorithm's picture with the z-buffer's instead"
     );
+    app->add_flag(
+        "--growth",
+        options->growth,
+        "count the questions every visible-surface algorithm asks as the scene's polygons double"
+    );
     const auto run = [options, &common] {
-        return options->visibility ? run_visibility(*options, common)
-                                   : run_compare(*options, common);
+        return options->growth       ? run_growth(*options, common)
+               : options->visibility ? run_visibility(*options, common)
+                                     : run_compare(*options, common);
     };
     return {app, run, true};
 }

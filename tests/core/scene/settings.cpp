@@ -54,7 +54,7 @@ void check_table(std::size_t count) {
 } // namespace
 
 TEST_CASE("every enumerator of the scene room has a name and a sentence", "[unit][scene]") {
-    check_table<Visibility>(7);
+    check_table<Visibility>(10);
     check_table<TraversalKind>(8);
     check_table<CullFace>(3);
     check_table<Winding>(2);
