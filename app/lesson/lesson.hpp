@@ -108,6 +108,7 @@ enum class View : std::uint8_t {
     precision,
     clipping,
     cost,
+    registers,
     normals,
     order,
     search,
