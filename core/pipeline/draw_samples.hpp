@@ -84,6 +84,7 @@ raster::CoverageMask test_samples(
 
 /// Blends the color into every sample that passed, and replaces its depth.
 template <TraceSink Trace, framebuffer::SampleTarget Target>
+// NOLINTNEXTLINE(readability-function-size): a stage is handed all it needs, and looks up nothing
 void merge_samples(
     const DrawCall& call,
     PixelPos pixel,

@@ -568,7 +568,7 @@ std::optional<std::string> check_combination(const Settings& settings) {
     }
     if (settings.splits_triangles() && settings.traversal == TraversalKind::homogeneous) {
         return fmt::format(
-            "visibility \"{}\" may cut triangles, which traversal \"homogeneous\" draws whole",
+            R"(visibility "{}" may cut triangles, which traversal "homogeneous" draws whole)",
             name_of(settings.visibility)
         );
     }
