@@ -21,8 +21,7 @@ public:
           name_(subject.name + "." + size.name),
           scene_(scene_of(subject, size)),
           frame_(scene_),
-          cleared_(scene_->settings),
-          target_(cleared_) {}
+          target_(scene_->settings) {}
 
     void measure() {
         session_.progress(name_);
@@ -50,7 +49,7 @@ private:
     double draw_untraced() {
         return milliseconds([this] {
             pipeline::NullTrace nothing;
-            target_ = cleared_; // keeps its memory: this is a clear
+            target_.clear(threads);
             pipeline::draw_frame(frame_, target_, nothing, threads);
         });
     }
@@ -93,7 +92,6 @@ private:
     std::string name_;
     std::shared_ptr<const scene::Scene> scene_;
     pipeline::Frame frame_;
-    framebuffer::Framebuffer cleared_;
     framebuffer::Framebuffer target_;
 };
 

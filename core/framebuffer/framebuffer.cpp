@@ -1,32 +1,71 @@
 #include "core/framebuffer/framebuffer.hpp"
 
+#include "core/base/parallel.hpp"
 #include "core/framebuffer/depth.hpp"
 
+#include <algorithm>
+
 namespace hs::framebuffer {
+
+namespace {
+
+struct PixelRange {
+    std::size_t first;
+    std::size_t last;
+};
+
+/// Fills the part of a buffer that belongs to some pixels. Buffers that the settings do not need
+/// are empty.
+template <typename Value>
+void fill(
+    std::vector<Value>& buffer, std::size_t per_pixel, PixelRange pixels, const Value& value
+) {
+    if (!buffer.empty()) {
+        const auto at = [&](std::size_t pixel) {
+            return buffer.begin() + static_cast<std::ptrdiff_t>(pixel * per_pixel);
+        };
+        std::fill(at(pixels.first), at(pixels.last), value);
+    }
+}
+
+} // namespace
 
 Framebuffer::Framebuffer(const scene::Settings& settings)
     : width_(settings.width),
       height_(settings.height),
       color_format_(settings.color_format),
+      background_(settings.background),
+      clear_depth_(store_depth(settings.depth_clear(), settings.depth_format)),
       samples_(settings.samples) {
     const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    if (color_format_ == scene::ColorFormat::rgba8) {
-        rgba8_.assign(pixels, pack(settings.background));
-    } else {
-        rgba32f_.assign(pixels, settings.background);
-    }
-    const float depth = store_depth(settings.depth_clear(), settings.depth_format);
-    depth_.assign(pixels, depth);
+    const bool rgba8 = color_format_ == scene::ColorFormat::rgba8;
+    rgba8_.resize(rgba8 ? pixels : 0);
+    rgba32f_.resize(rgba8 ? 0 : pixels);
+    depth_.resize(pixels);
+    closed_.resize(settings.closes_pixels() ? pixels : 0);
     if (samples_ > 1) {
         const std::size_t all = pixels * static_cast<std::size_t>(samples_);
-        if (color_format_ == scene::ColorFormat::rgba8) {
-            sample_rgba8_.assign(all, pack(settings.background));
-        } else {
-            sample_rgba32f_.assign(all, settings.background);
-        }
-        sample_depth_.assign(all, depth);
+        sample_rgba8_.resize(rgba8 ? all : 0);
+        sample_rgba32f_.resize(rgba8 ? 0 : all);
+        sample_depth_.resize(all);
     }
-    closed_.assign(settings.closes_pixels() ? pixels : 0, 0);
+    clear();
+}
+
+void Framebuffer::clear(unsigned threads) {
+    constexpr std::size_t grain = 65536; // pixels
+    const Rgba8 packed = pack(background_);
+    const auto samples = static_cast<std::size_t>(samples_);
+    parallel_ranges(depth_.size(), threads, grain, [&](std::size_t first, std::size_t last) {
+        const PixelRange pixels{first, last};
+        fill(rgba8_, 1, pixels, packed);
+        fill(rgba32f_, 1, pixels, background_);
+        fill(depth_, 1, pixels, clear_depth_);
+        fill(closed_, 1, pixels, std::uint8_t{0});
+        fill(sample_rgba8_, samples, pixels, packed);
+        fill(sample_rgba32f_, samples, pixels, background_);
+        fill(sample_depth_, samples, pixels, clear_depth_);
+    });
 }
 
 PixelSamples Framebuffer::samples(PixelPos p) const {

@@ -40,6 +40,9 @@ class Framebuffer {
 public:
     /// Cleared to the settings' background and depth clear value.
     explicit Framebuffer(const scene::Settings& settings);
+    /// Every pixel as it was made. Threads share the rows: an image of many pixels is cleared as
+    /// fast as memory can be written.
+    void clear(unsigned threads = 1);
 
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
@@ -86,6 +89,8 @@ private:
     int width_;
     int height_;
     scene::ColorFormat color_format_;
+    glm::vec4 background_;
+    float clear_depth_;
     std::vector<Rgba8> rgba8_;
     std::vector<glm::vec4> rgba32f_;
     std::vector<float> depth_;

@@ -29,7 +29,7 @@ glm::vec4 average_float(const PixelSamples& samples) {
     for (int s = 0; s < samples.count; ++s) {
         sums[static_cast<unsigned>(s)] = samples[s].color;
     }
-    for (unsigned left = static_cast<unsigned>(samples.count); left > 1; left /= 2) {
+    for (auto left = static_cast<unsigned>(samples.count); left > 1; left /= 2) {
         for (unsigned i = 0; i < left / 2; ++i) {
             sums[i] = sums[2 * i] + sums[2 * i + 1];
         }

@@ -218,11 +218,13 @@ template <IgnoresValues Trace, framebuffer::PixelTarget Target, typename Interpo
     return outcome;
 }
 
-/// One covered pixel: its fragment, placed already, is colored, tested and merged.
+/// One covered pixel: its fragment, placed already, is colored, tested and merged. It is handed
+/// over by reference: copying what has just been written, field by field, stalls until all of it is
+/// there.
 template <TraceSink Trace, framebuffer::PixelTarget Target, typename Interpolate>
 [[gnu::always_inline]] inline void draw_fragment(
     const DrawCall& call,
-    raster::Fragment fragment,
+    raster::Fragment& fragment,
     const Interpolate& interpolate,
     Target& target,
     Trace& trace
@@ -304,9 +306,9 @@ geometry::TriangleVerdict draw_piece(
         region,
         units,
         trace,
-        [&](PixelPos pixel, const raster::EdgeValues& e) {
+        [&](PixelPos pixel, const raster::EdgeValues& e) __attribute__((always_inline)) {
             any = true;
-            const raster::Fragment placed =
+            raster::Fragment placed =
                 raster::place_fragment(setup.interpolator, setup.edges, pixel, e);
             draw_fragment(call, placed, interpolate, target, trace);
         }
@@ -411,7 +413,7 @@ geometry::TriangleVerdict draw_unclipped(
         scope.units(0),
         intersect(call.drawable(), scope.band),
         trace,
-        [&](const raster::Fragment& complete) {
+        [&](raster::Fragment complete) {
             draw_fragment(
                 call, complete, [](raster::Fragment&) {}, target, trace
             );

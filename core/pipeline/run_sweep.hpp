@@ -31,7 +31,7 @@ void draw_swept(
     trace.shown(piece);
     for (int x = first; x < end; ++x) {
         const PixelPos pixel{x, row};
-        const raster::Fragment placed = raster::place_fragment(
+        raster::Fragment placed = raster::place_fragment(
             setup.interpolator, setup.edges, pixel, setup.edges.evaluate(pixel)
         );
         draw_fragment(call, placed, interpolate, target, trace);
@@ -95,12 +95,9 @@ void run_rays(
         const PieceName& hit = sweep.polygon(cast.nearest);
         const DrawCall& call = frame.calls()[hit.object];
         trace.shown(hit);
+        raster::Fragment fragment = hit_fragment(call, hit.triangle, pixel, cast.meeting.weights);
         draw_fragment(
-            call,
-            hit_fragment(call, hit.triangle, pixel, cast.meeting.weights),
-            [](raster::Fragment&) {},
-            target,
-            trace
+            call, fragment, [](raster::Fragment&) {}, target, trace
         );
     }
 }

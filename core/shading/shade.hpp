@@ -51,7 +51,8 @@ surface_at(const ShadingInputs& in, const math::Varyings& varyings, const glm::v
 /// Surface color = interpolated color × texel; with Phong shading it is lit here, otherwise it was
 /// lit (or not) before. Gouraud and flat colors are lit per vertex and then modulated, specular
 /// part included, as OpenGL's fixed pipeline did.
-inline ShadedFragment shade(const ShadingInputs& in, const math::Varyings& varyings) {
+[[gnu::always_inline]] inline ShadedFragment
+shade(const ShadingInputs& in, const math::Varyings& varyings) {
     ShadedFragment result;
     result.color = varyings.color();
     if (in.texture != nullptr) {

@@ -17,12 +17,14 @@ public:
     static constexpr std::size_t block_bits = 16;
     static constexpr std::size_t block_size = std::size_t{1} << block_bits;
 
-    void push_back(const T& value) {
+    void push_back(const T& value) { append() = value; }
+    /// A new last element, uninitialized, to be written in place.
+    [[nodiscard]] T& append() {
         if (cursor_ == block_end_) {
             add_block();
         }
-        *cursor_++ = value;
         ++size_;
+        return *cursor_++;
     }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }

@@ -53,7 +53,7 @@ public:
         return result;
     }
 
-    [[nodiscard]] PixelRecord& writable(PixelPos p) {
+    [[nodiscard, gnu::always_inline]] PixelRecord& writable(PixelPos p) {
         if (pixel_ == nullptr || p != at_) {
             at_ = p;
             pixel_ = &buffer_.writable(p);
@@ -125,6 +125,10 @@ public:
         piece_ = shown.piece;
         depth_format_ = recording_.frame->calls()[object_].settings.depth_format;
         run_open_ = false;
+        geometry::TriangleVerdict& verdict = recording_.triangles[frame_triangle_].verdict;
+        if (verdict == geometry::TriangleVerdict::unseen) {
+            verdict = geometry::TriangleVerdict::drawn;
+        }
     }
 
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
@@ -218,7 +222,7 @@ public:
         passed_ = merge.written;
         depth_written_ = merge.depth_written && raster::has_sample(merge.written, 0);
     }
-    void fragment_end(fragment::FragmentFate fate) {
+    [[gnu::always_inline]] void fragment_end(fragment::FragmentFate fate) {
         const auto number = static_cast<std::uint32_t>(recording_.fragments.size());
         if (!run_open_) {
             recording_.runs.push_back({number, frame_triangle_, static_cast<std::uint16_t>(piece_)}
@@ -235,20 +239,16 @@ public:
             count_saturating(pixel.overdraw);
             pixel.triangle = frame_triangle_;
         }
-        if (recording_.triangles[frame_triangle_].verdict == geometry::TriangleVerdict::unseen) {
-            recording_.triangles[frame_triangle_].verdict = geometry::TriangleVerdict::drawn;
-        }
-        recording_.fragments.push_back(
-            {.x = static_cast<std::uint16_t>(pixel_.x),
-             .y = static_cast<std::uint16_t>(pixel_.y),
-             .depth = depth_,
-             .color = pixel.color,
-             .previous = std::exchange(pixel.last_fragment, number),
-             .fate = fate,
-             .depth_written = depth_written_,
-             .coverage = sampled_.covered,
-             .passed = passed_}
-        );
+        FragmentRecord& record = recording_.fragments.append();
+        record.x = static_cast<std::uint16_t>(pixel_.x);
+        record.y = static_cast<std::uint16_t>(pixel_.y);
+        record.depth = depth_;
+        record.color = pixel.color;
+        record.previous = std::exchange(pixel.last_fragment, number);
+        record.fate = fate;
+        record.depth_written = depth_written_;
+        record.coverage = sampled_.covered;
+        record.passed = passed_;
         if (pixels_.buffer().float_color()) {
             recording_.color32f.push_back(pixels_.buffer().color(pixel_));
         }
