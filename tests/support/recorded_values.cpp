@@ -33,6 +33,20 @@ void add_vertex(Values& list, const trace::Step& step, const pipeline::VertexWor
     }
 }
 
+/// An edge that begins has a place, a question an answer, everything else a number.
+void add_sweep(Values& list, const visibility::SweepEvent& event) {
+    using enum visibility::SweepEventKind;
+    if (event.kind == edge_in) {
+        list.emplace_back("x", event.x);
+        return;
+    }
+    list.emplace_back("value", event.value);
+    list.emplace_back("verdict", event.verdict);
+    if (event.kind == compare || event.kind == depth || event.kind == keep) {
+        list.emplace_back("other value", event.other_value);
+    }
+}
+
 void add_outcodes(
     Values& list,
     const trace::Recording& recording,
@@ -328,7 +342,7 @@ Values recorded_values(const trace::Recording& recording, const trace::Step& ste
         const visibility::OrderEvent& event = recording.decisions[step.event];
         list.emplace_back("value", event.value);
     } else if (step.kind == StepKind::sweep) {
-        list.emplace_back("value", trace::sweep_detail(recording, step).last().value);
+        add_sweep(list, trace::sweep_detail(recording, step).last());
     } else if (step.kind == StepKind::outcodes) {
         add_outcodes(list, recording, step, *detail.triangle);
     } else if (step.kind == StepKind::clip_plane) {
