@@ -44,7 +44,8 @@ inline constexpr const char* file_help =
 inline constexpr const char* at_help =
     "step path, #NUMBER, start or end; without it the end of the frame";
 
-inline constexpr const char* beside_help =
-    "key=value: a second frame with this setting changed, stepped beside the first";
+inline constexpr const char* beside_help = "key=value: a second frame with this setting, or this "
+                                           "entry of camera or object, changed, stepped "
+                                           "beside the first";
 
 } // namespace hs::command

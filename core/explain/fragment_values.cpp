@@ -18,35 +18,12 @@ const Operation reciprocal{"1 / ", 4, UnitRule::none, [](std::span<const Number>
 const Operation within_0_1{"clamp", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
                                return std::clamp(std::get<double>(n[0]), 0.0, 1.0);
                            }};
-const Operation fused{"fma", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
-                          return std::fma(
-                              std::get<float>(n[0]), std::get<float>(n[1]), std::get<float>(n[2])
-                          );
-                      }};
+const Operation fused{
+    "fma", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
+        return std::fma(std::get<float>(n[0]), std::get<float>(n[1]), std::get<float>(n[2]));
+    }};
 
 // ---- weights
-
-/// Whether every pixel had a step of its own before it became a fragment.
-bool asks_every_pixel(const scene::Settings& settings) {
-    using scene::TraversalKind;
-    return settings.samples == 1 && (settings.traversal == TraversalKind::brute_force ||
-                                     settings.traversal == TraversalKind::bounding_box ||
-                                     settings.traversal == TraversalKind::incremental ||
-                                     settings.traversal == TraversalKind::serpentine);
-}
-
-/// An edge function where varyings are taken: the pixel's center, or the fragment's one sample.
-Whole edge_of_fragment(ValueList& list, const StepContext& context, unsigned edge) {
-    const std::int64_t value = context.detail.fragment->edges[edge];
-    const std::string name = edge_names[edge];
-    if (context.step.sample >= 0) {
-        return context.value(StepKind::sample_test, name, value, 2);
-    }
-    if (asks_every_pixel(context.call().settings)) {
-        return context.value(StepKind::edge_test, name, value, 2);
-    }
-    return list.add(name, edge_term(context, edge, context.step.pixel));
-}
 
 struct Weights {
     Real first; ///< λ1 or b1
@@ -54,11 +31,10 @@ struct Weights {
 };
 
 Weights add_weights_of_edges(ValueList& list, const StepContext& context) {
-    const Whole e20 = edge_of_fragment(list, context, 2);
-    const Whole e01 = edge_of_fragment(list, context, 0);
-    const Real inverse = context.value(
-        StepKind::setup, "1/2A", context.piece().setup->inv_doubled_area, -2
-    );
+    const Whole e20 = add_edge_value(list, context, 2);
+    const Whole e01 = add_edge_value(list, context, 0);
+    const Real inverse =
+        context.value(StepKind::setup, "1/2A", context.piece().setup->inv_doubled_area, -2);
     const Real lambda1 = list.add("λ1", to_float(e20) * inverse);
     const Real lambda2 = list.add("λ2", to_float(e01) * inverse);
     list.add("λ0", (Real{1.0F} - lambda1) - lambda2);
@@ -192,11 +168,11 @@ Triple varyings_at(const StepContext& context, int first) {
     return {varying(context, first), varying(context, first + 1), varying(context, first + 2)};
 }
 
-const Operation repeated_texel{
-    "texel", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
-        const auto size = static_cast<int>(std::get<std::int64_t>(n[1]));
-        return std::int64_t{shading::repeat_texel(std::get<float>(n[0]), size)};
-    }};
+const Operation repeated_texel{"texel", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
+                                   const auto size = static_cast<int>(std::get<std::int64_t>(n[1]));
+                                   return std::int64_t{
+                                       shading::repeat_texel(std::get<float>(n[0]), size)};
+                               }};
 
 /// Color times texel.
 std::array<Real, 4> add_surface(ValueList& list, const StepContext& context) {
@@ -247,9 +223,7 @@ void add_interpolation_values(ValueList& list, const StepContext& context) {
     const auto depth = [&](unsigned corner) {
         return of_corner(context, StepKind::viewport, corner, "window.depth");
     };
-    list.add(
-        "depth", math::interpolate(depth(0), depth(1), depth(2), lambda.first, lambda.second)
-    );
+    list.add("depth", math::interpolate(depth(0), depth(1), depth(2), lambda.first, lambda.second));
     add_varyings(list, context, add_perspective(list, context, lambda));
 }
 

@@ -5,7 +5,7 @@
 #include "core/explain/samples.hpp"
 #include "core/explain/sentence.hpp"
 #include "core/pipeline/homogeneous.hpp"
-#include "core/trace/history.hpp"
+#include "core/trace/last_writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,8 +131,8 @@ raster::CoverageMask samples_shown(const Case& of) {
     for (int s = 0; s < count; ++s) {
         const std::uint32_t writer =
             trace::last_writer(recording, last, count > 1 ? s : -1, Left::color);
-        const bool own =
-            writer != trace::no_fragment && recording.run_of_fragment(writer).triangle == of.triangle;
+        const bool own = writer != trace::no_fragment &&
+                         recording.run_of_fragment(writer).triangle == of.triangle;
         mask |= own ? 1U << static_cast<unsigned>(s) : 0U;
     }
     return static_cast<raster::CoverageMask>(mask);
@@ -177,8 +177,9 @@ TriangleAtPixel overwritten(const Case& of, std::uint32_t fragment) {
             of.name(),
             number(recording.fragments[fragment].depth),
             who(recording, by),
-            blended ? "was blended over it"
-                    : fmt::format("overwrote it at depth {}", number(recording.fragments[next].depth))
+            blended
+                ? "was blended over it"
+                : fmt::format("overwrote it at depth {}", number(recording.fragments[next].depth))
         ),
         trace::last_step_of_fragment(recording, fragment)
     );
@@ -324,9 +325,9 @@ TriangleAtPixel outside(const Case& of, const trace::TriangleDetail& detail) {
         }
         std::vector<std::string> distances;
         for (const trace::VertexDetail& corner : detail.corners) {
-            distances.push_back(number(math::signed_distance(
-                of.call().volume.planes[k], math::to_vec4(corner.work.clip)
-            )));
+            distances.push_back(number(
+                math::signed_distance(of.call().volume.planes[k], math::to_vec4(corner.work.clip))
+            ));
         }
         reason = fmt::format(
             "all its vertices lie outside plane {}, at distances {}",
@@ -368,8 +369,7 @@ culled(const Case& of, const trace::TriangleDetail& detail, TriangleVerdict verd
     );
 }
 
-TriangleAtPixel
-cut_away(const Case& of, geometry::ClipPlane plane, double distance) {
+TriangleAtPixel cut_away(const Case& of, geometry::ClipPlane plane, double distance) {
     return of.verdict(
         PixelRole::cut_away,
         fmt::format(
@@ -405,7 +405,8 @@ std::string miss_sentence(const Case& of, const Miss& miss) {
     if (settings.sampling == scene::Sampling::conservative) {
         return miss.margin < 0
                    ? fmt::format(
-                         "{} does not overlap the pixel's square: at its most inside corner {} = {} "
+                         "{} does not overlap the pixel's square: at its most inside corner {} = "
+                         "{} "
                          "px².",
                          of.name(),
                          edge_names[miss.edge],

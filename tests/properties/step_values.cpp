@@ -1,6 +1,7 @@
 // Every number explains itself: the values of steps of random scenes, held to what was recorded,
 // bit for bit, and every operand to the value of the step it is said to come from.
 #include "core/explain/step_values.hpp"
+
 #include "core/scene/scene_file.hpp"
 #include "core/trace/player.hpp"
 #include "tests/support/catch.hpp"
@@ -119,10 +120,12 @@ TEST_CASE("every value of a step is the one that was recorded", "[property][expl
                 INFO(name);
                 const StepValue* value = explain::find_value(values, name);
                 REQUIRE(value != nullptr);
-                INFO(explain::in_symbols(*value->expression) << " = "
-                     << explain::in_numbers(*value->expression) << " = "
-                     << explain::exact_text(*value->expression) << ", recorded "
-                     << explain::exact_text({.value = number}));
+                INFO(
+                    explain::in_symbols(*value->expression)
+                    << " = " << explain::in_numbers(*value->expression) << " = "
+                    << explain::exact_text(*value->expression) << ", recorded "
+                    << explain::exact_text({.value = number})
+                );
                 REQUIRE(same(value->expression->value, number));
                 ++compared[static_cast<std::size_t>(step.kind)];
             }
@@ -130,7 +133,9 @@ TEST_CASE("every value of a step is the one that was recorded", "[property][expl
     }
     for (const auto& kind : names<StepKind>()) {
         INFO(kind.name);
-        CHECK((compared[static_cast<std::size_t>(kind.value)] > 0) == (kind.value != StepKind::end));
+        CHECK(
+            (compared[static_cast<std::size_t>(kind.value)] > 0) == (kind.value != StepKind::end)
+        );
     }
 }
 

@@ -1,7 +1,8 @@
 // Why a triangle does not show at a pixel: every triangle at every pixel of random scenes has one
 // reason, and the reason is a fact of the recording or a closed form.
-#include "core/explain/why_color.hpp"
 #include "core/explain/why_not.hpp"
+
+#include "core/explain/why_color.hpp"
 #include "core/pipeline/homogeneous.hpp"
 #include "core/scene/scene_file.hpp"
 #include "tests/support/catch.hpp"

@@ -33,7 +33,10 @@ void add_vertex(Values& list, const trace::Step& step, const pipeline::VertexWor
 }
 
 void add_outcodes(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::TriangleDetail& triangle
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::TriangleDetail& triangle
 ) {
     const int corners = step.primitive == scene::PrimitiveKind::triangle ? 3 : 2;
     const geometry::ClipVolume& volume = recording.frame->calls()[step.object].volume;
@@ -54,7 +57,10 @@ void add_outcodes(
 
 /// The vertices that the pass made, in the order it made them.
 void add_clip(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::TriangleDetail& triangle
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::TriangleDetail& triangle
 ) {
     const pipeline::DrawCall& call = recording.frame->calls()[step.object];
     for (const trace::ClipPass& pass : triangle.passes) {
@@ -205,7 +211,10 @@ void add_line_step(
 }
 
 void add_traversal(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::StepDetail& detail
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::StepDetail& detail
 ) {
     const trace::TraversalDetail& traversal = *detail.traversal;
     if (step.kind == StepKind::edge_table) {
@@ -272,7 +281,10 @@ void add_merge(Values& list, const trace::Recording& recording, const trace::Ste
 }
 
 void add_fragment(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::FragmentDetail& fragment
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::FragmentDetail& fragment
 ) {
     if (step.kind == StepKind::interpolate) {
         add_interpolation(list, fragment);
