@@ -174,8 +174,7 @@ int run_explain(const Options& options, const Common& common) {
         return fail(standing.diagnostics());
     }
     const trace::Player& player = **standing;
-    const auto values =
-        explain::step_values(player.recording(), player.current(), player.detail());
+    const auto values = explain::step_values(player.recording(), player.current(), player.detail());
     const std::string path = trace::step_path(player.current());
     const StepValue* only = explain::find_value(values, options.value);
     if (!options.value.empty() && only == nullptr) {

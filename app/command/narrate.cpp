@@ -39,8 +39,7 @@ Result<trace::Granularity> granularity_of(const std::string& text) {
         known.push_back(row.name);
     }
     return Diagnostic{
-        .file = "--by",
-        .message = fmt::format("'{}' is none of {}", text, list_of_choices(known))};
+        .file = "--by", .message = fmt::format("'{}' is none of {}", text, list_of_choices(known))};
 }
 
 /// Tells from where the player stands up to a step.
@@ -93,7 +92,8 @@ Command add_narrate(CLI::App& program, const Common& common) {
         program.add_subcommand("narrate", "Print the sentence of every step, line by line");
     app->footer("Examples:\n"
                 "  halfspace narrate scene.toml --by triangle\n"
-                "  halfspace narrate scene.toml --from 'object 0 / triangle 3 / setup' --to '#900'");
+                "  halfspace narrate scene.toml --from 'object 0 / triangle 3 / setup' --to '#900'"
+    );
     app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--from", options->from, "the first step; without it start");
     app->add_option("--to", options->to, "the last step; without it end");

@@ -105,14 +105,13 @@ refused(const Options& options, PixelPos pixel, const trace::Recording& recordin
     if (options.triangle && *options.triangle >= recording.triangles.size()) {
         return Diagnostic{
             .file = "--triangle",
-            .message =
-                recording.triangles.empty()
-                    ? std::string{"the frame has no triangles"}
-                    : fmt::format(
-                          "the frame has no triangle {}; its triangles are 0 to {}",
-                          *options.triangle,
-                          recording.triangles.size() - 1
-                      )};
+            .message = recording.triangles.empty()
+                           ? std::string{"the frame has no triangles"}
+                           : fmt::format(
+                                 "the frame has no triangle {}; its triangles are 0 to {}",
+                                 *options.triangle,
+                                 recording.triangles.size() - 1
+                             )};
     }
     return std::nullopt;
 }

@@ -15,6 +15,7 @@ using trace::StepKind;
 trace::Step before_pieces(const StepContext& context, StepKind kind) {
     trace::Step step = context.step;
     step.kind = kind;
+    step.sample = -1;
     if (step.part) {
         const std::uint32_t draw = context.recording.draw_of_step(step.id);
         const pipeline::DrawOrder& order = context.recording.order;
@@ -46,7 +47,8 @@ Origin varying_origin(const StepContext& context, std::uint32_t vertex, const st
         return {trace::step_path(vertex_step(context, vertex, StepKind::vertex_light)), name, {}};
     }
     if (color) {
-        const std::string path = trace::step_path(vertex_step(context, vertex, StepKind::vertex_world));
+        const std::string path =
+            trace::step_path(vertex_step(context, vertex, StepKind::vertex_world));
         return {path, "surface" + name.substr(name.find('.')), {}};
     }
     if (name.starts_with("uv.")) {
@@ -56,9 +58,8 @@ Origin varying_origin(const StepContext& context, std::uint32_t vertex, const st
 }
 
 /// A corner of the whole triangle; with flat interpolation its varyings are the last vertex's.
-TermVertex whole_corner(
-    const StepContext& context, const geometry::ClipPolygon& assembled, int corner
-) {
+TermVertex
+whole_corner(const StepContext& context, const geometry::ClipPolygon& assembled, int corner) {
     const pipeline::DrawCall& call = context.call();
     const scene::TriangleIndices& indices = context.detail.triangle->vertices;
     const bool flat = call.settings.interpolation == scene::InterpolationKind::flat;
@@ -103,11 +104,10 @@ TermVertex add_part_corner(
     };
     TermVertex vertex;
     for (unsigned k = 0; k < 4; ++k) {
-        vertex.position.push_back(
-            mixed(fmt::format("clip.{}", axis_names[k]), [k](const TermVertex& v) {
-                return v.position[k];
-            })
-        );
+        vertex.position.push_back(mixed(
+            fmt::format("clip.{}", axis_names[k]),
+            [k](const TermVertex& v) { return v.position[k]; }
+        ));
     }
     const math::VaryingLayout& layout = context.call().vertex.layout;
     for (int i = 0; i < layout.count; ++i) {
@@ -315,8 +315,9 @@ std::array<TermVertex, 3> corners_of_piece(const StepContext& context) {
         return {polygon[0], polygon[1], polygon[1]};
     }
     const int first = before_pieces(context, StepKind::outcodes).piece;
-    const auto k = static_cast<std::size_t>(context.step.part ? context.step.piece - first
-                                                              : context.step.piece);
+    const auto k = static_cast<std::size_t>(
+        context.step.part ? context.step.piece - first : context.step.piece
+    );
     return {polygon[0], polygon[k + 1], polygon[k + 2]};
 }
 

@@ -25,37 +25,14 @@ const Operation fused{
 
 // ---- weights
 
-/// Whether every pixel had a step of its own before it became a fragment.
-bool asks_every_pixel(const scene::Settings& settings) {
-    using scene::TraversalKind;
-    return settings.samples == 1 && !settings.sweeps() &&
-           (settings.traversal == TraversalKind::brute_force ||
-            settings.traversal == TraversalKind::bounding_box ||
-            settings.traversal == TraversalKind::incremental ||
-            settings.traversal == TraversalKind::serpentine);
-}
-
-/// An edge function where varyings are taken: the pixel's center, or the fragment's one sample.
-Whole edge_of_fragment(ValueList& list, const StepContext& context, unsigned edge) {
-    const std::int64_t value = context.detail.fragment->edges[edge];
-    const std::string name = edge_names[edge];
-    if (context.step.sample >= 0) {
-        return context.value(StepKind::sample_test, name, value, 2);
-    }
-    if (asks_every_pixel(context.call().settings)) {
-        return context.value(StepKind::edge_test, name, value, 2);
-    }
-    return list.add(name, edge_term(context, edge, context.step.pixel));
-}
-
 struct Weights {
     Real first; ///< λ1 or b1
     Real second;
 };
 
 Weights add_weights_of_edges(ValueList& list, const StepContext& context) {
-    const Whole e20 = edge_of_fragment(list, context, 2);
-    const Whole e01 = edge_of_fragment(list, context, 0);
+    const Whole e20 = add_edge_value(list, context, 2);
+    const Whole e01 = add_edge_value(list, context, 0);
     const Real inverse =
         context.value(StepKind::setup, "1/2A", context.piece().setup->inv_doubled_area, -2);
     const Real lambda1 = list.add("λ1", to_float(e20) * inverse);

@@ -23,8 +23,12 @@ Real dot(const Triple& a, const Triple& b) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
-Triple
-add_triple(ValueList& list, const std::string& name, const std::array<const char*, 4>& parts, const Triple& v) {
+Triple add_triple(
+    ValueList& list,
+    const std::string& name,
+    const std::array<const char*, 4>& parts,
+    const Triple& v
+) {
     const auto part = [&](unsigned k) {
         return list.add(fmt::format("{}.{}", name, parts[k]), v[k]);
     };
@@ -37,9 +41,7 @@ Triple add_unit(ValueList& list, const std::string& name, const Triple& v) {
     if (!(length.value() > 0.0F)) {
         return add_triple(list, name, axis_names, triple(0.0F, 0.0F, 0.0F));
     }
-    return add_triple(
-        list, name, axis_names, triple(v[0] / length, v[1] / length, v[2] / length)
-    );
+    return add_triple(list, name, axis_names, triple(v[0] / length, v[1] / length, v[2] / length));
 }
 
 Triple given(const std::string& name, const glm::vec3& v, const std::string& where) {
@@ -108,7 +110,8 @@ void add_light(
     // Diffuse: how squarely the light meets the surface
     Triple l = given(name + " l", light.to_light, entry + ".to_light, in eye space");
     if (light.kind == scene::LightKind::point) {
-        const Triple place = given(name + " place", light.position, entry + ".position, in eye space");
+        const Triple place =
+            given(name + " place", light.position, entry + ".position, in eye space");
         const auto toward = [&](unsigned k) { return place[k] - point.position[k]; };
         l = add_unit(list, name + " l", triple(toward(0), toward(1), toward(2)));
     }
@@ -149,7 +152,10 @@ void add_light(
 } // namespace
 
 void add_lighting(
-    ValueList& list, const pipeline::DrawCall& call, const SurfaceTerms& surface, std::string_view prefix
+    ValueList& list,
+    const pipeline::DrawCall& call,
+    const SurfaceTerms& surface,
+    std::string_view prefix
 ) {
     const shading::ShadingInputs& in = call.vertex.shading;
     const Lit point{

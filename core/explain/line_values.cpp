@@ -12,11 +12,11 @@ namespace {
 
 using trace::StepKind;
 
-const Operation pixel_holding{
-    "pixel", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
-        const auto fixed = static_cast<std::int32_t>(std::get<std::int64_t>(n[0]));
-        return std::int64_t{raster::pixel_of({fixed, 0}).x};
-    }};
+const Operation pixel_holding{"pixel", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
+                                  const auto fixed =
+                                      static_cast<std::int32_t>(std::get<std::int64_t>(n[0]));
+                                  return std::int64_t{raster::pixel_of({fixed, 0}).x};
+                              }};
 const Operation absolute{"abs", 0, UnitRule::first, [](std::span<const Number> n) -> Number {
                              return std::abs(std::get<std::int64_t>(n[0]));
                          }};
@@ -35,7 +35,8 @@ void add_bresenham(ValueList& list, const StepContext& context, const raster::Li
     const Whole n = setup_number(context, "n", line.steps);
     const Whole m = setup_number(context, "m", line.rise);
     const std::int64_t across = raster::steps_across(line, step.number - 1);
-    const Whole k = operand("k", std::int64_t{step.number}, {{}, {}, "steps along the line so far"});
+    const Whole k =
+        operand("k", std::int64_t{step.number}, {{}, {}, "steps along the line so far"});
     const Whole j = operand("j", across, {{}, {}, "steps across it so far"});
     const Whole error = list.add("e", (whole(2) * m * k - whole(2) * n * j) - n);
     const Truth moves = call<bool>(

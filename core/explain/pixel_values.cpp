@@ -2,7 +2,7 @@
 #include "core/explain/value_list.hpp"
 #include "core/framebuffer/depth.hpp"
 #include "core/math/interpolate.hpp"
-#include "core/trace/history.hpp"
+#include "core/trace/last_writer.hpp"
 #include "core/trace/player.hpp"
 
 #include <fmt/format.h>
@@ -33,9 +33,8 @@ std::string left_by(const trace::Recording& recording, std::uint32_t last, int s
 
 /// What was there when this step's fragment came.
 template <typename T>
-Term<T> held_before(
-    const StepContext& context, int sample, const std::string& what, T value, Left kind
-) {
+Term<T>
+held_before(const StepContext& context, int sample, const std::string& what, T value, Left kind) {
     const std::uint32_t previous = context.recording.fragments[context.step.fragment].previous;
     const std::string name = of_pixel(sample, what);
     return operand(name, value, {left_by(context.recording, previous, sample, kind), name, {}});
@@ -105,22 +104,20 @@ std::int64_t owner_number(std::uint32_t triangle) {
 }
 
 void add_closed(ValueList& list, const StepContext& context) {
-    const std::uint32_t owner = trace::pixel_before(context.recording, context.step.fragment).triangle;
+    const std::uint32_t owner =
+        trace::pixel_before(context.recording, context.step.fragment).triangle;
     const Whole held = held_before(context, -1, "owner", owner_number(owner), Left::color);
     list.add("passes", call<bool>(operations::less, held, Whole{std::int64_t{0}}));
 }
 
 /// The depth at the step's sample, from the edge functions there.
 Real add_depth_at_sample(ValueList& list, const StepContext& context) {
-    const trace::SampleDetail& sample =
-        context.detail.samples[static_cast<std::size_t>(context.step.sample)];
     const Real inverse =
         context.value(StepKind::setup, "1/2A", context.piece().setup->inv_doubled_area, -2);
-    const auto edge = [&](unsigned k) {
-        return to_float(context.value(StepKind::sample_test, edge_names[k], sample.edges[k], 2));
-    };
-    const Real lambda1 = list.add("λ1", edge(2) * inverse);
-    const Real lambda2 = list.add("λ2", edge(0) * inverse);
+    const Whole e20 = add_edge_value(list, context, 2);
+    const Whole e01 = add_edge_value(list, context, 0);
+    const Real lambda1 = list.add("λ1", to_float(e20) * inverse);
+    const Real lambda2 = list.add("λ2", to_float(e01) * inverse);
     const auto depth = [&](unsigned corner) {
         return context.value(
             StepKind::viewport,
@@ -149,11 +146,12 @@ Truth compared_by(scene::CompareOp op, const Real& depth, const Real& stored) {
 void add_depth_test(ValueList& list, const StepContext& context) {
     const trace::FragmentDetail& fragment = *context.detail.fragment;
     const pipeline::DepthTest& test = *fragment.depth_test;
-    const Real depth =
-        test.sample >= 0 ? add_depth_at_sample(list, context)
-                         : context.value(StepKind::interpolate, "depth", fragment.fragment.depth);
-    const Real rounded =
-        list.add("fragment depth", as_stored_depth(depth, context.recording.settings().depth_format));
+    const Real depth = test.sample >= 0
+                           ? add_depth_at_sample(list, context)
+                           : context.value(StepKind::interpolate, "depth", fragment.fragment.depth);
+    const Real rounded = list.add(
+        "fragment depth", as_stored_depth(depth, context.recording.settings().depth_format)
+    );
     const Real stored = list.add(
         "stored depth", held_before(context, test.sample, "depth", test.stored, Left::depth)
     );
@@ -215,8 +213,7 @@ void add_merged_depth(ValueList& list, const StepContext& context, int sample, f
 
 void add_merged_samples(ValueList& list, const StepContext& context) {
     const scene::Settings& settings = context.call().settings;
-    const raster::CoverageMask written =
-        context.recording.fragments[context.step.fragment].passed;
+    const raster::CoverageMask written = context.recording.fragments[context.step.fragment].passed;
     const bool depth = settings.visibility == scene::Visibility::z_buffer && settings.depth_write;
     for (int s = 0; s < settings.samples; ++s) {
         if (!raster::has_sample(written, s)) {
@@ -286,7 +283,10 @@ void add_start_values(ValueList& list, const StepContext& context) {
     for (int s = 0; settings.samples > 1 && s < settings.samples; ++s) {
         add_cleared(list, settings, s);
     }
-    list.add("pixel owner", operand("nobody", owner_number(trace::no_triangle), {{}, {}, "nothing is drawn yet"}));
+    list.add(
+        "pixel owner",
+        operand("nobody", owner_number(trace::no_triangle), {{}, {}, "nothing is drawn yet"})
+    );
 }
 
 void add_resolve_values(ValueList& list, const StepContext& context) {

@@ -81,18 +81,14 @@ plane_in_front(const StepContext& context, unsigned k, const std::array<TermVert
     const raster::EdgeFunction& e = window.edges[k];
     const auto coefficient = [&](char which, std::int64_t value) {
         const Whole raw = context.value(
-            StepKind::setup,
-            fmt::format("{}.{}", edge_names[k], which),
-            value,
-            which == 'c' ? 2 : 1
+            StepKind::setup, fmt::format("{}.{}", edge_names[k], which), value, which == 'c' ? 2 : 1
         );
         const Whole one_pixel =
             operand("1 px", std::int64_t{subpixel_scale}, {{}, {}, "from pixel to pixel"}, 1);
         return to_double(which == 'c' ? raw : raw * one_pixel);
     };
     const Whole doubled = context.value(StepKind::setup, "2A", window.doubled_area, 2);
-    const Wide by =
-        Wide{1.0} / (to_double(doubled) * to_double(corners[(k + 2) % 3].position[3]));
+    const Wide by = Wide{1.0} / (to_double(doubled) * to_double(corners[(k + 2) % 3].position[3]));
     return scaled({coefficient('a', e.a), coefficient('b', e.b), coefficient('c', e.c)}, by);
 }
 
@@ -165,7 +161,9 @@ void add_plane_setup_values(ValueList& list, const StepContext& context) {
         ));
     }
     for (unsigned i = 0; i < static_cast<unsigned>(setup.clip_count); ++i) {
-        add_clip_function(list, context, static_cast<geometry::ClipPlane>(setup.clips[i].plane), rho);
+        add_clip_function(
+            list, context, static_cast<geometry::ClipPlane>(setup.clips[i].plane), rho
+        );
     }
 }
 
@@ -173,8 +171,7 @@ void add_plane_test_values(ValueList& list, const StepContext& context) {
     const raster::HomogeneousSetup& setup = *context.piece().planes;
     std::vector<Wide> rho;
     for (unsigned k = 0; k < 3; ++k) {
-        rho.push_back(
-            list.add(plane_name(k), at_pixel(context, plane_name(k), setup.edges[k].rho))
+        rho.push_back(list.add(plane_name(k), at_pixel(context, plane_name(k), setup.edges[k].rho))
         );
     }
     list.add("1/w", (rho[0] + rho[1]) + rho[2]);

@@ -182,11 +182,10 @@ const Operation less_or_equal{" ≤ ", of_comparison, UnitRule::none, [](Numbers
 const Operation greater{" > ", of_comparison, UnitRule::none, [](Numbers n) {
                             return binary(n, [](auto a, auto b) -> Number { return a > b; });
                         }};
-const Operation greater_or_equal{" ≥ ", of_comparison, UnitRule::none, [](Numbers n) {
-                                     return binary(n, [](auto a, auto b) -> Number {
-                                         return a >= b;
-                                     });
-                                 }};
+const Operation greater_or_equal{
+    " ≥ ", of_comparison, UnitRule::none, [](Numbers n) {
+        return binary(n, [](auto a, auto b) -> Number { return a >= b; });
+    }};
 const Operation equal{" = ", of_comparison, UnitRule::none, [](Numbers n) {
                           return binary(n, [](auto a, auto b) -> Number { return a == b; });
                       }};
@@ -196,16 +195,14 @@ const Operation not_equal{" ≠ ", of_comparison, UnitRule::none, [](Numbers n) 
 const Operation both{" and ", of_and, UnitRule::none, [](Numbers n) -> Number {
                          return std::get<bool>(n[0]) && std::get<bool>(n[1]);
                      }};
-const Operation smaller{"min", 0, UnitRule::first, [](Numbers n) {
-                            return binary(n, [](auto a, auto b) -> Number {
-                                return std::min(a, b);
-                            });
-                        }};
-const Operation larger{"max", 0, UnitRule::first, [](Numbers n) {
-                           return binary(n, [](auto a, auto b) -> Number {
-                               return std::max(a, b);
-                           });
-                       }};
+const Operation smaller{
+    "min", 0, UnitRule::first, [](Numbers n) {
+        return binary(n, [](auto a, auto b) -> Number { return std::min(a, b); });
+    }};
+const Operation larger{
+    "max", 0, UnitRule::first, [](Numbers n) {
+        return binary(n, [](auto a, auto b) -> Number { return std::max(a, b); });
+    }};
 const Operation to_float{"", 0, UnitRule::first, convert<float>};
 const Operation to_double{"", 0, UnitRule::first, convert<double>};
 
@@ -261,10 +258,10 @@ std::string value_text(const Expression& e) {
         return *truth ? "true" : "false";
     }
     if (const auto* count = std::get_if<std::int64_t>(&e.value)) {
-        return e.subpixels == 0 ? whole(*count)
-                                : number(static_cast<float>(
-                                      in_pixels(static_cast<double>(*count), e.subpixels)
-                                  ));
+        return e.subpixels == 0
+                   ? whole(*count)
+                   : number(static_cast<float>(in_pixels(static_cast<double>(*count), e.subpixels))
+                     );
     }
     if (const auto* real = std::get_if<float>(&e.value)) {
         return number(static_cast<float>(in_pixels(static_cast<double>(*real), e.subpixels)));

@@ -28,8 +28,8 @@ using Number = std::variant<bool, std::int64_t, float, double>;
 struct Origin {
     std::string step;  ///< the path of the step that produced it; empty: none did
     std::string value; ///< what it is called among that step's values
-    std::string given; ///< without a step: "camera.projection", "vertex 5 of object 0"; empty: it is
-                       ///< a constant of the method
+    std::string given; ///< without a step: "camera.projection", "vertex 5 of object 0"; empty: it
+                       ///< is a constant of the method
     friend bool operator==(const Origin&, const Origin&) = default;
 };
 
@@ -84,8 +84,7 @@ extern const Operation to_double; ///< from whole numbers and floats
 
 } // namespace operations
 
-[[nodiscard]] ExpressionPtr
-apply(const Operation& operation, std::vector<ExpressionPtr> operands);
+[[nodiscard]] ExpressionPtr apply(const Operation& operation, std::vector<ExpressionPtr> operands);
 
 template <typename T>
 class Term {

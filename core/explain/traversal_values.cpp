@@ -6,6 +6,7 @@
 // number, where it has none.
 #include "core/explain/value_list.hpp"
 #include "core/raster/conservative.hpp"
+#include "core/raster/sample_spans.hpp"
 
 #include <fmt/format.h>
 
@@ -67,9 +68,8 @@ Whole tested_edge(const StepContext& context, unsigned edge) {
         {trace::step_path(before), name, {}},
         2
     );
-    const Whole one_pixel = operand(
-        "1 px", std::int64_t{subpixel_scale}, {{}, {}, "from pixel to pixel"}, 1
-    );
+    const Whole one_pixel =
+        operand("1 px", std::int64_t{subpixel_scale}, {{}, {}, "from pixel to pixel"}, 1);
     const Whole change = coefficient(context, edge, neighbor->coefficient) * one_pixel;
     return neighbor->added ? value + change : value - change;
 }
@@ -120,15 +120,28 @@ const Operation quotient_up{
         return a / b + (a % b > 0 ? 1 : 0); // b > 0; division is toward zero
     }};
 
-/// The first pixel not left of an edge, on a scanline: −(b·y + c) / a rounded up.
+/// What an edge function gains from a pixel's center to one of its samples.
+Whole gain_to_sample(const StepContext& context, unsigned edge, int sample) {
+    const auto& offset =
+        raster::sample_pattern(context.call().settings.samples)[static_cast<std::size_t>(sample)];
+    const std::string place = fmt::format("the place of sample {}", sample);
+    const Whole dx = operand("dx", std::int64_t{offset.x}, {{}, {}, place}, 1);
+    const Whole dy = operand("dy", std::int64_t{offset.y}, {{}, {}, place}, 1);
+    return coefficient(context, edge, 'a') * dx + coefficient(context, edge, 'b') * dy;
+}
+
+/// The first pixel not left of an edge, on a scanline: −(b·y + c) / a rounded up. Where scanlines
+/// run through a sample, the edge function is that at the sample.
 Whole add_crossing(ValueList& list, const StepContext& context, unsigned edge, int row) {
     const bool left = context.piece().setup->edges[edge].a > 0;
     const Whole one_pixel =
         operand("1 px", std::int64_t{subpixel_scale}, {{}, {}, "from pixel to pixel"}, 1);
-    const Whole y = operand(
-        "y", std::int64_t{row} * subpixel_scale, {{}, {}, "the scanline"}, 1
-    );
-    const Whole rest = coefficient(context, edge, 'b') * y + coefficient(context, edge, 'c');
+    const Whole y = operand("y", std::int64_t{row} * subpixel_scale, {{}, {}, "the scanline"}, 1);
+    Whole c = coefficient(context, edge, 'c');
+    if (context.step.sample >= 0) {
+        c = c + gain_to_sample(context, edge, context.step.sample);
+    }
+    const Whole rest = coefficient(context, edge, 'b') * y + c;
     const Whole a = coefficient(context, edge, 'a');
     return list.add(
         fmt::format("{}.x", edge_names[edge]),
@@ -137,7 +150,9 @@ Whole add_crossing(ValueList& list, const StepContext& context, unsigned edge, i
 }
 
 template <typename Table>
-void add_crossings(ValueList& list, const StepContext& context, const Table& table, bool at_bucket) {
+void add_crossings(
+    ValueList& list, const StepContext& context, const Table& table, bool at_bucket
+) {
     for (int i = 0; i < table.count; ++i) {
         const raster::ScanEdge& edge = table.edges[static_cast<unsigned>(i)];
         add_crossing(
@@ -149,8 +164,20 @@ void add_crossings(ValueList& list, const StepContext& context, const Table& tab
     }
 }
 
+/// What cuts the step's spans: the pixels whose centers, or whose sample, the triangle can cover.
+PixelRect box_of_spans(const StepContext& context) {
+    const raster::TriangleSetup& setup = *context.piece().setup;
+    if (context.step.sample < 0) {
+        return setup.bounds;
+    }
+    const int samples = context.call().settings.samples;
+    raster::SampledSetup sampled = raster::at_samples(setup, samples);
+    sampled.bounds = raster::bounds_of_samples(setup, samples, context.call().drawable());
+    return raster::scan_of_sample(sampled, context.step.sample).setup.bounds;
+}
+
 void add_span(ValueList& list, const StepContext& context, const raster::Span& span) {
-    const PixelRect& box = context.piece().setup->bounds;
+    const PixelRect box = box_of_spans(context);
     const auto side = [&](const char* name, int value) {
         return operand(name, std::int64_t{value}, {{}, {}, "bounding box of the triangle"});
     };
@@ -161,12 +188,46 @@ void add_span(ValueList& list, const StepContext& context, const raster::Span& s
     list.add("end", call<std::int64_t>(operations::smaller, right, side("box right", box.x1)));
 }
 
+/// Whether every pixel, and every one of its samples, had a step of its own before it became a
+/// fragment. Rows of the image ask no edge functions.
+bool asks_every_pixel(const scene::Settings& settings) {
+    using scene::TraversalKind;
+    return !settings.sweeps() && (settings.traversal == TraversalKind::brute_force ||
+                                  settings.traversal == TraversalKind::bounding_box ||
+                                  settings.traversal == TraversalKind::incremental ||
+                                  settings.traversal == TraversalKind::serpentine);
+}
+
 } // namespace
 
 Whole edge_term(const StepContext& context, unsigned edge, PixelPos pixel) {
     return coefficient(context, edge, 'a') * pixel_coordinate("x", pixel.x) +
            coefficient(context, edge, 'b') * pixel_coordinate("y", pixel.y) +
            coefficient(context, edge, 'c');
+}
+
+Whole sample_edge_term(const StepContext& context, unsigned edge, PixelPos pixel, int sample) {
+    return edge_term(context, edge, pixel) + gain_to_sample(context, edge, sample);
+}
+
+Whole add_edge_value(ValueList& list, const StepContext& context, unsigned edge) {
+    const scene::Settings& settings = context.call().settings;
+    const PixelPos pixel = context.step.pixel;
+    const int sample = context.step.sample;
+    const std::string name = edge_names[edge];
+    const bool asked = asks_every_pixel(settings);
+    if (sample >= 0) {
+        return asked ? context.value(
+                           StepKind::sample_test,
+                           name,
+                           context.detail.samples[static_cast<std::size_t>(sample)].edges[edge],
+                           2
+                       )
+                     : list.add(name, sample_edge_term(context, edge, pixel, sample));
+    }
+    return asked && settings.samples == 1
+               ? context.value(StepKind::edge_test, name, context.detail.fragment->edges[edge], 2)
+               : list.add(name, edge_term(context, edge, pixel));
 }
 
 void add_edge_test_values(ValueList& list, const StepContext& context) {
@@ -182,22 +243,14 @@ void add_edge_test_values(ValueList& list, const StepContext& context) {
 }
 
 void add_sample_test_values(ValueList& list, const StepContext& context) {
-    const auto offset =
-        raster::sample_pattern(context.call().settings.samples)[static_cast<std::size_t>(
-            context.step.sample
-        )];
-    const std::string place = fmt::format("the place of sample {}", context.step.sample);
-    const Whole dx = operand("dx", std::int64_t{offset.x}, {{}, {}, place}, 1);
-    const Whole dy = operand("dy", std::int64_t{offset.y}, {{}, {}, place}, 1);
     std::vector<Whole> values;
     for (unsigned k = 0; k < 3; ++k) {
         const Whole center = list.add(
             fmt::format("{} at center", edge_names[k]), edge_term(context, k, context.step.pixel)
         );
-        values.push_back(list.add(
-            edge_names[k],
-            center + (coefficient(context, k, 'a') * dx + coefficient(context, k, 'b') * dy)
-        ));
+        values.push_back(
+            list.add(edge_names[k], center + gain_to_sample(context, k, context.step.sample))
+        );
     }
     add_covered(list, context, values);
 }

@@ -43,6 +43,7 @@ struct StepContext {
     [[nodiscard]] std::string path(trace::StepKind kind) const {
         trace::Step other = step;
         other.kind = kind;
+        other.sample = kind >= trace::StepKind::sample_test ? step.sample : -1;
         return trace::step_path(other);
     }
     /// A value that another step of the same vertex, piece or fragment computed.
@@ -59,9 +60,7 @@ inline constexpr std::array channel_names{"r", "g", "b", "a"};
 
 /// A coordinate of a pixel's center as a traversal counts it: whole pixels, in 1/256 pixel.
 [[nodiscard]] inline Whole pixel_coordinate(const char* axis, int coordinate) {
-    return operand(
-        axis, std::int64_t{coordinate} * subpixel_scale, {{}, {}, "the pixel asked"}, 1
-    );
+    return operand(axis, std::int64_t{coordinate} * subpixel_scale, {{}, {}, "the pixel asked"}, 1);
 }
 
 /// "color.r", "uv.u", "normal.x", "eye.x": what a varying is called.
@@ -79,6 +78,14 @@ struct TermVertex {
 /// An edge function at a pixel, from what setup made of it.
 [[nodiscard]] Whole edge_term(const StepContext& context, unsigned edge, PixelPos pixel);
 
+/// The same at a sample of the pixel.
+[[nodiscard]] Whole
+sample_edge_term(const StepContext& context, unsigned edge, PixelPos pixel, int sample);
+
+/// An edge function where the step's fragment, or its test of one sample, takes it: as a step of
+/// its own asked it, or computed now by the traversals that know what is covered without asking.
+Whole add_edge_value(ValueList& list, const StepContext& context, unsigned edge);
+
 /// Three numbers in eye space or three channels.
 using Triple = std::array<Real, 3>;
 
@@ -90,7 +97,10 @@ struct SurfaceTerms {
 };
 /// What each light adds, and the color: values "light 0 n·l", "ambient.r", "`prefix`r" and so on.
 void add_lighting(
-    ValueList& list, const pipeline::DrawCall& call, const SurfaceTerms& surface, std::string_view prefix
+    ValueList& list,
+    const pipeline::DrawCall& call,
+    const SurfaceTerms& surface,
+    std::string_view prefix
 );
 
 // The values of each stage's steps

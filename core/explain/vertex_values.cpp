@@ -61,13 +61,12 @@ void add_surface(ValueList& list, const StepContext& context) {
     const bool colored = !in.mesh->colors.empty();
     for (int k = 0; k < 4; ++k) {
         const char* const channel = channel_names[static_cast<unsigned>(k)];
-        const Real color =
-            colored ? operand(
-                          fmt::format("vertex color.{}", channel),
-                          in.mesh->colors[context.step.vertex][k],
-                          {{}, {}, "color of " + who(context.step)}
-                      )
-                    : Real{1.0F};
+        const Real color = colored ? operand(
+                                         fmt::format("vertex color.{}", channel),
+                                         in.mesh->colors[context.step.vertex][k],
+                                         {{}, {}, "color of " + who(context.step)}
+                                     )
+                                   : Real{1.0F};
         const Real diffuse = operand(
             fmt::format("material.{}", channel), in.diffuse[k], {{}, {}, "material.diffuse"}
         );

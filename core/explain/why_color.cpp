@@ -1,7 +1,7 @@
 #include "core/explain/why_color.hpp"
 
 #include "core/explain/value_list.hpp"
-#include "core/trace/history.hpp"
+#include "core/trace/last_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,7 @@ public:
     /// Adds a value of a step; false without one of that name.
     bool add(trace::StepId step, std::string_view name) {
         const trace::Step at = trace::describe_step(recording_, step);
-        const auto values =
-            step_values(recording_, at, trace::step_detail(recording_, at));
+        const auto values = step_values(recording_, at, trace::step_detail(recording_, at));
         const StepValue* value = find_value(values, name);
         if (value == nullptr) {
             return false;
@@ -137,6 +136,7 @@ std::vector<ColorLink> why_this_color(const trace::Player& player, PixelPos pixe
     trail.branch(mixed, weight);
     trace::Step place = interpolation;
     place.kind = StepKind::viewport;
+    place.sample = -1;
     const auto mapped = trace::find_step(recording, trace::step_path(place));
     if (mapped && trail.add(*mapped, vertex + ".window.x")) {
         trail.follow(vertex + ".ndc.x");

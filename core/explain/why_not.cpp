@@ -5,7 +5,7 @@
 #include "core/explain/samples.hpp"
 #include "core/explain/sentence.hpp"
 #include "core/pipeline/homogeneous.hpp"
-#include "core/trace/history.hpp"
+#include "core/trace/last_writer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

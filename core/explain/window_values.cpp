@@ -13,11 +13,10 @@ using trace::StepKind;
 const Operation reciprocal{"1 / ", 4, UnitRule::none, [](std::span<const Number> n) -> Number {
                                return math::reciprocal(std::get<float>(n[0]));
                            }};
-const Operation fused{"fma", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
-                          return std::fma(
-                              std::get<float>(n[0]), std::get<float>(n[1]), std::get<float>(n[2])
-                          );
-                      }};
+const Operation fused{
+    "fma", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
+        return std::fma(std::get<float>(n[0]), std::get<float>(n[1]), std::get<float>(n[2]));
+    }};
 
 template <geometry::Snapping snapping>
 Number snapped(std::span<const Number> n) {

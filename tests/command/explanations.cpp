@@ -61,12 +61,7 @@ TEST_CASE("a depth can be followed from the pixel to the camera's matrix", "[app
     CHECK(
         names ==
         std::vector<std::string>{
-            "pixel depth",
-            "fragment depth",
-            "depth",
-            "v0.window.depth",
-            "v0.ndc.z",
-            "clip.z"}
+            "pixel depth", "fragment depth", "depth", "v0.window.depth", "v0.ndc.z", "clip.z"}
     );
 }
 
@@ -74,7 +69,9 @@ TEST_CASE("without a value all values of the step are listed", "[app][command]")
     const std::string text =
         answer({"explain", crossing, "--at", "object 1 / triangle 0 / fragment 31,17 / interpolate"}
         );
-    CHECK(text.find("λ1                       0.1409             = E20·(1/2A)") != std::string::npos);
+    CHECK(
+        text.find("λ1                       0.1409             = E20·(1/2A)") != std::string::npos
+    );
     CHECK(text.find("fragment (31, 17)") == std::string::npos); // but as a sentence begins
     CHECK(text.find("Fragment (31, 17) of triangle 0 of object 1") != std::string::npos);
 }
@@ -87,8 +84,7 @@ TEST_CASE("why names the pixel's triangle and whom it hides", "[app][command]") 
     CHECK(document["triangles"][1]["role"] == "shows");
     CHECK(document["because"].front()["name"] == "pixel color.b");
     CHECK(document["because"].back()["name"] == "clip.x");
-    const std::string one =
-        answer({"why", crossing, "--pixel", "0,0", "--triangle", "1"});
+    const std::string one = answer({"why", crossing, "--pixel", "0,0", "--triangle", "1"});
     CHECK(one.find("Triangle 0 of object 1 does not cover the pixel: E") != std::string::npos);
     const std::string early = answer({"why", crossing, "--pixel", "31,17", "--at", "start"});
     CHECK(early.find("Triangle 0 of object 1 comes later.") != std::string::npos);
