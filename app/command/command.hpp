@@ -26,7 +26,10 @@ Command add_render(CLI::App& program, const Common& common);
 Command add_record(CLI::App& program, const Common& common);
 Command add_export(CLI::App& program, const Common& common);
 Command add_history(CLI::App& program, const Common& common);
+Command add_explain(CLI::App& program, const Common& common);
+Command add_narrate(CLI::App& program, const Common& common);
 Command add_query(CLI::App& program, const Common& common);
+Command add_why(CLI::App& program, const Common& common);
 Command add_shot(CLI::App& program, const Common& common);
 Command add_compare(CLI::App& program, const Common& common);
 Command add_check(CLI::App& program, const Common& common);
@@ -41,7 +44,8 @@ inline constexpr const char* file_help =
 inline constexpr const char* at_help =
     "step path, #NUMBER, start or end; without it the end of the frame";
 
-inline constexpr const char* beside_help =
-    "key=value: a second frame with this setting changed, stepped beside the first";
+inline constexpr const char* beside_help = "key=value: a second frame with this setting, or this "
+                                           "entry of camera or object, changed, stepped "
+                                           "beside the first";
 
 } // namespace hs::command

@@ -144,18 +144,6 @@ std::string as_json(const Story& story) {
     return document.dump() + '\n';
 }
 
-Diagnostic outside(PixelPos pixel, const trace::Recording& recording) {
-    return {
-        .file = "--pixel",
-        .message = fmt::format(
-            "{},{} lies outside the image; pixels are 0,0 to {},{}",
-            pixel.x,
-            pixel.y,
-            recording.width() - 1,
-            recording.height() - 1
-        )};
-}
-
 /// Everything that can be refused before the frame is recorded.
 Result<PixelPos> check_options(const Options& options) {
     if (!options.out.empty()) {
@@ -193,7 +181,7 @@ int run_history(const Options& options, const Common& common) {
         return fail(player.diagnostics());
     }
     if (!(*recording)->settings().image().contains(*pixel)) {
-        return fail({outside(*pixel, **recording)});
+        return fail({outside_image(*pixel, **recording)});
     }
     return show(tell(**player, *pixel), options, common);
 }

@@ -61,6 +61,18 @@ Result<PixelPos> parse_pixel(std::string_view text) {
     return PixelPos{x, y};
 }
 
+Diagnostic outside_image(PixelPos pixel, const trace::Recording& recording) {
+    return {
+        .file = "--pixel",
+        .message = fmt::format(
+            "{},{} lies outside the image; pixels are 0,0 to {},{}",
+            pixel.x,
+            pixel.y,
+            recording.width() - 1,
+            recording.height() - 1
+        )};
+}
+
 Result<std::string>
 output_format(const std::filesystem::path& file, std::initializer_list<std::string_view> known) {
     const std::string extension = file.extension().string();

@@ -37,6 +37,9 @@ Result<Size> parse_size(std::string_view text);
 /// "31,17" to a pixel.
 Result<PixelPos> parse_pixel(std::string_view text);
 
+/// What is wrong with a pixel that the image has not.
+Diagnostic outside_image(PixelPos pixel, const trace::Recording& recording);
+
 /// The file's ending if it is among those a command writes; the error lists them.
 Result<std::string>
 output_format(const std::filesystem::path& file, std::initializer_list<std::string_view> known);

@@ -85,9 +85,13 @@ Result<Done> arrange(viewer::State& state, const Options& options) {
         viewer::set_morph(state.space, *options.morph);
     }
     state.space.side = options.side;
+    return done;
+}
+
+/// How the window looks, whatever it shows.
+void dress(viewer::State& state, const Options& options) {
     state.theme = options.light ? viewer::ThemeKind::light : viewer::ThemeKind::dark;
     state.presentation = options.large ? viewer::presentation_factor : 1.0F;
-    return done;
 }
 
 Result<Done> shoot(
@@ -184,6 +188,7 @@ int run_shot(const Options& options, const Common& common) {
     }
     host::HeadlessHost host(size->width, size->height);
     viewer::Viewer viewer;
+    dress(viewer.state(), options);
     const Result<Done> taken = options.all ? shoot_lesson(host, viewer, options)
                                            : shoot_step(host, viewer, options, common);
     return taken ? status_done : fail(taken.diagnostics());

@@ -3,6 +3,7 @@
 #include "core/trace/history.hpp"
 #include "core/trace/player.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -91,6 +92,25 @@ Result<Value> decided(const Recording& recording, const Subject& /*subject*/) {
     return Value{static_cast<double>(recording.counters.decisions[static_cast<std::size_t>(kind)])};
 }
 
+Result<Value> depth_sort_tests(const Recording& recording, const Subject& /*subject*/) {
+    const auto of = [&](visibility::OrderEventKind kind) {
+        return recording.counters.decisions[static_cast<std::size_t>(kind)];
+    };
+    using enum visibility::OrderEventKind;
+    return Value{static_cast<double>(of(test) + of(exchanged_test))};
+}
+
+Result<Value> place_in_order(const Recording& recording, const Subject& subject) {
+    const trace::ObjectRange& object = recording.objects[subject.object.value_or(0)];
+    const std::uint32_t triangle = object.first_triangle + *subject.triangle;
+    const std::vector<pipeline::Draw>& draws = recording.order.draws;
+    const auto first = std::ranges::find_if(draws, [&](const pipeline::Draw& draw) {
+        return recording.triangle_of_draw(draw) == triangle;
+    });
+    return first == draws.end() ? Value{0.0}
+                                : Value{static_cast<double>(first - draws.begin()) + 1.0};
+}
+
 Result<Value> decisions(const Recording& recording, const Subject& /*subject*/) {
     return Value{static_cast<double>(recording.decisions.size())};
 }
@@ -138,7 +158,7 @@ std::span<const Quantity> frame_quantities() {
     using enum fragment::FragmentFate;
     constexpr QuantityOf frame = QuantityOf::frame;
     constexpr QuantityOf picture = QuantityOf::pixel;
-    static constexpr std::array<Quantity, 21> rows{{
+    static constexpr std::array<Quantity, 27> rows{{
         {"image width", frame, "pixels from left to right", image_width},
         {"image height", frame, "pixels from top to bottom", image_height},
         {"vertices", frame, "vertices that went through the vertex stage", vertices},
@@ -162,6 +182,27 @@ std::span<const Quantity> frame_quantities() {
          frame,
          "polygons cut by the ordering algorithm",
          decided<visibility::OrderEventKind::split>},
+        {"pairs",
+         frame,
+         "front lists: pairs of polygons asked whether they overlap",
+         decided<visibility::OrderEventKind::overlap>},
+        {"iterations",
+         frame,
+         "front lists: rounds in which polygons with nothing behind them are drawn",
+         decided<visibility::OrderEventKind::iteration>},
+        {"stuck polygons",
+         frame,
+         "front lists: polygons that no round can draw",
+         decided<visibility::OrderEventKind::stuck>},
+        {"depth sort tests",
+         frame,
+         "depth sort: tests of pairs, exchanged ones included",
+         depth_sort_tests},
+        {"nodes", frame, "BSP tree: planes", decided<visibility::OrderEventKind::make_node>},
+        {"place",
+         QuantityOf::triangle,
+         "of a triangle in the order of drawing, from 1; of its first part, if it is cut",
+         place_in_order},
         {"pixel depth", picture, "the depth stored when the frame is finished", pixel_depth},
         {"pixel color.r", picture, "red of the finished picture", pixel_color<0>},
         {"pixel color.g", picture, "green of the finished picture", pixel_color<1>},

@@ -66,6 +66,7 @@ struct Change {
     std::string prompt;              ///< Markdown with placeholders
     std::string key;                 ///< path of an entry of the scene, as for --set
     std::vector<std::string> values; ///< to choose from, at least two: TOML, strings without quotes
+    std::vector<std::string> labels; ///< what their buttons say, one for each; may be empty
     Expression watch;
     Place place;
 };
@@ -107,6 +108,7 @@ enum class View : std::uint8_t {
     precision,
     clipping,
     cost,
+    registers,
     normals,
     order,
     search,

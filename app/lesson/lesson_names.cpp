@@ -19,7 +19,7 @@ std::span<const Named<lesson::QuestionKind>> names<lesson::QuestionKind>() {
 template <>
 std::span<const Named<lesson::View>> names<lesson::View>() {
     using lesson::View;
-    static constexpr std::array<Named<View>, 22> table{{
+    static constexpr std::array<Named<View>, 23> table{{
         {View::unchanged, "unchanged", "as it was"},
         {View::color, "color", "the color buffer"},
         {View::depth, "depth", "the depth buffer"},
@@ -39,6 +39,7 @@ std::span<const Named<lesson::View>> names<lesson::View>() {
         {View::precision, "precision", "how depth values are spread"},
         {View::clipping, "clipping", "the triangle against each clip plane"},
         {View::cost, "cost", "what the traversal spends, beside all others"},
+        {View::registers, "registers", "the values that an incremental traversal keeps"},
         {View::normals, "normals", "a normal moved by the matrix and by its inverse transpose"},
         {View::order, "order", "how the order in which triangles are drawn is found"},
         {View::search, "search", "vertices, triangles, fragments and steps that match"},

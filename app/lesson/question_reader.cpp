@@ -154,6 +154,10 @@ std::optional<Change> read_change(const toml::table& table, Complaints& complain
     if (change.values.size() < 2) {
         reader.complain("a change needs at least two values to choose from");
     }
+    read_strings(reader, "labels", change.labels);
+    if (!change.labels.empty() && change.labels.size() != change.values.size()) {
+        reader.complain("a change needs as many labels as values, or none");
+    }
     const std::optional<Expression> watch = read_expression(reader, "watch", true);
     reader.finish();
     if (!watch) {

@@ -268,6 +268,9 @@ std::string Session::watched(std::size_t change) const {
     if (recording_ == nullptr) {
         return {};
     }
+    if (is_hidden(step().changes[change].watch.quantity)) {
+        return "?";
+    }
     const Evaluator evaluate = evaluator(changed_scene(), recording_);
     const Result<Value> value = evaluate(step().changes[change].watch);
     return value ? print_value(*value) : value.diagnostics().front().message;

@@ -1,6 +1,7 @@
 #include "app/viewer/beside.hpp"
 
 #include "app/viewer/setting_text.hpp"
+#include "core/scene/scene_entry.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,13 @@ scene::SettingValue value_of(const std::string& text) {
     return word;
 }
 
-std::optional<std::string> apply(scene::Settings& settings, const scene::Assignment& change) {
-    return scene::assign(settings, change.path, value_of(change.value));
+std::optional<std::string> apply(scene::Scene& scene, const scene::Assignment& change) {
+    if (scene::is_scene_entry(change.path)) {
+        return scene::change_entry(scene, change);
+    }
+    const std::optional<std::string> complaint =
+        scene::assign(scene.settings, change.path, value_of(change.value));
+    return complaint ? complaint : scene::check_combination(scene.settings);
 }
 
 } // namespace
@@ -31,9 +37,12 @@ std::optional<std::string> Beside::ask(const scene::Assignment& change) {
     if (change.path == "size") {
         return "a picture of another size cannot stand beside this one pixel by pixel";
     }
-    scene::Settings trial;
-    if (std::optional<std::string> complaint = apply(trial, change)) {
-        return complaint;
+    if (!scene::is_scene_entry(change.path)) {
+        scene::Settings trial;
+        const scene::SettingValue value = value_of(change.value);
+        if (std::optional<std::string> complaint = scene::assign(trial, change.path, value)) {
+            return complaint;
+        }
     }
     change_ = change;
     source_.reset();
@@ -55,10 +64,7 @@ std::shared_ptr<const scene::Scene> Beside::take_work(const Document& main) {
     source_ = main.player().shared_recording();
     document_.close();
     auto changed = std::make_shared<scene::Scene>(main.scene());
-    std::optional<std::string> complaint = apply(changed->settings, *change_);
-    if (!complaint) {
-        complaint = scene::check_combination(changed->settings);
-    }
+    const std::optional<std::string> complaint = apply(*changed, *change_);
     complaint_ = complaint.value_or("");
     return complaint ? nullptr : changed;
 }

@@ -1,5 +1,5 @@
-// A second view beside the first: the same scene recorded with one setting changed, its playhead in
-// step with the first one's.
+// A second view beside the first: the same scene recorded with one setting, one entry of its camera
+// or one of an object changed, its playhead in step with the first one's.
 #pragma once
 
 #include "app/viewer/background.hpp"
@@ -16,8 +16,9 @@ namespace hs::viewer {
 
 class Beside {
 public:
-    /// Asks for a frame with one setting changed; "phong", "false", "0.5" as the value. What is
-    /// wrong with it, or nothing.
+    /// Asks for a frame with one thing changed: a setting ("phong", "false", "0.5" as the value),
+    /// or a path of the scene file into camera or objects. What is wrong with it, or nothing; of a
+    /// path, `complaint` tells later.
     std::optional<std::string> ask(const scene::Assignment& change);
     void close();
     [[nodiscard]] const std::optional<scene::Assignment>& change() const { return change_; }

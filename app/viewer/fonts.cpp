@@ -24,7 +24,7 @@ constexpr std::array mono_files{
 };
 
 // Latin, Greek, and the signs that formulas, keys and marks use. Few glyphs make a quick start.
-constexpr std::array<ImWchar, 29> glyph_ranges{
+constexpr std::array<ImWchar, 31> glyph_ranges{
     0x0020, 0x007E, // ASCII
     0x00A0, 0x00FF, // Latin-1: · × ° ² ½ umlauts
     0x0391, 0x03C9, // Greek
@@ -36,6 +36,7 @@ constexpr std::array<ImWchar, 29> glyph_ranges{
     0x2227, 0x222B, // ∧ ∨ ∩ ∪ ∫
     0x2248, 0x2265, // ≈ ≠ ≤ ≥
     0x22C5, 0x22C5, // ⋅
+    0x2308, 0x230B, // ⌈ ⌉ ⌊ ⌋
     0x25A0, 0x25CF, // ▲ ▼ ▶ ◀ ◆ ○ ●
     0x2713, 0x2717, // ✓ ✗
     0x276E, 0x2771, // ❮ ❯

@@ -67,7 +67,12 @@ void draw_front_lists(Context& context, const trace::OrderDetail& detail) {
             drawn += drawn.empty() ? "" : ", ";
             drawn += label_of(context, detail, polygon);
         }
-        heading(theme, fmt::format("Drawn, in {} iterations", lists.iterations));
+        heading(
+            theme,
+            fmt::format(
+                "Drawn, in {} iteration{}", lists.iterations, lists.iterations == 1 ? "" : "s"
+            )
+        );
         mono(theme, drawn);
     }
 }

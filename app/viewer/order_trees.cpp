@@ -11,6 +11,18 @@
 namespace hs::viewer {
 namespace {
 
+std::string tree_heading(std::size_t count, std::string_view what, int splits) {
+    const auto plural = [](std::size_t n) { return n == 1 ? "" : "s"; };
+    return fmt::format(
+        "{} {}{}, {} polygon{} cut",
+        count,
+        what,
+        plural(count),
+        splits,
+        plural(static_cast<std::size_t>(splits))
+    );
+}
+
 constexpr std::size_t most_drawn = 63; ///< nodes; more are narrower than their labels
 
 /// Where a node stands: columns from left to right in order of the walk, rows by depth.
@@ -178,7 +190,7 @@ void draw_cell(
 void draw_bsp_tree(Context& context, const trace::OrderDetail& detail) {
     const Theme& theme = context.theme;
     const auto& [tree, walk] = std::get<trace::BspMoment>(detail.state);
-    heading(theme, fmt::format("{} nodes, {} polygons cut", tree.nodes.size(), tree.splits));
+    heading(theme, tree_heading(tree.nodes.size(), "node", tree.splits));
     if (tree.nodes.size() > most_drawn) {
         caption(theme, "Too many nodes to draw; the numbers stand above.");
     } else if (!tree.nodes.empty()) {
@@ -191,7 +203,7 @@ void draw_bsp_tree(Context& context, const trace::OrderDetail& detail) {
 void draw_octree(Context& context, const trace::OrderDetail& detail) {
     const Theme& theme = context.theme;
     const auto& [tree, walk] = std::get<trace::OctreeMoment>(detail.state);
-    heading(theme, fmt::format("{} cells, {} polygons cut", tree.cells.size(), tree.splits));
+    heading(theme, tree_heading(tree.cells.size(), "cell", tree.splits));
     if (stands_on_decision(context) && detail.decision.node >= 0) {
         std::vector<std::int32_t> path;
         for (std::int32_t cell = detail.decision.node; cell >= 0;

@@ -1,5 +1,5 @@
-// Beside: the same frame with one setting changed. Both playheads stand on corresponding steps,
-// both pictures show the same pixels at the same size.
+// Beside: the same frame with one setting, or one entry of camera and objects, changed. Both
+// playheads stand on corresponding steps, both pictures show the same pixels at the same size.
 #include "app/viewer/panels.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "app/viewer/screen_view.hpp"
@@ -8,6 +8,7 @@
 #include "app/viewer/widgets.hpp"
 #include "core/explain/numbers.hpp"
 #include "core/explain/setting_effect.hpp"
+#include "core/scene/scene_entry.hpp"
 
 #include <fmt/format.h>
 
@@ -58,10 +59,14 @@ void draw_choice(Context& context) {
     const float needed = text_size(context.theme.fonts.small_mono, "hierarchical").x;
     const float half = room * 0.5F - context.theme.units(1);
     const bool abreast = half > needed + context.theme.units(12); // with the arrow
-    ImGui::SetNextItemWidth(abreast ? half : room);
+    const bool alone = change && scene::is_scene_entry(change->path);
+    ImGui::SetNextItemWidth(abreast && !alone ? half : room);
     choose_key(context, change ? change->path : "");
     if (change) {
         const scene::Assignment shown = *change; // choosing replaces it
+        if (alone) {
+            return; // any number of values: the facts below tell this one
+        }
         if (abreast) {
             ImGui::SameLine();
         }
@@ -174,8 +179,10 @@ void draw_place(Context& context) {
 
 void draw_facts(Context& context) {
     const scene::Assignment& change = *context.viewer.beside().change();
-    const auto value = [&change](const Document& document) {
-        return scene::print_setting(document.recording().settings(), change.path);
+    const bool entry = scene::is_scene_entry(change.path);
+    const auto value = [&](const Document& document) {
+        return entry ? scene::print_entry(document.scene(), change.path)
+                     : scene::print_setting(document.recording().settings(), change.path);
     };
     small_mono(
         context.theme,
@@ -185,6 +192,14 @@ void draw_facts(Context& context) {
     draw_place(context);
     draw_difference(context);
     draw_corners(context);
+    if (entry) {
+        caption(
+            context.theme,
+            "Camera and objects are the same but for this. Both playheads stand at the same "
+            "triangle; a pixel of one may be a pixel of another triangle beside it."
+        );
+        return;
+    }
     const std::string_view effect = explain::effect_of_setting(change.path);
     caption(
         context.theme,

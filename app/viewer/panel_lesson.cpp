@@ -159,8 +159,13 @@ void draw_changes(Context& context, Session& session) {
         heading(theme, "Change");
         draw_document(theme, session.change_prompt(i));
         std::vector<Segment> list;
-        for (const std::string& value : changes[i].values) {
-            list.push_back({value, changes[i].key, ""});
+        std::vector<std::string> tips; // live as long as the list that points to them
+        tips.reserve(changes[i].values.size());
+        for (std::size_t k = 0; k < changes[i].values.size(); ++k) {
+            const std::string& value = changes[i].values[k];
+            tips.push_back(fmt::format("{} = {}", changes[i].key, value));
+            const std::string& label = changes[i].labels.empty() ? value : changes[i].labels[k];
+            list.push_back({label, tips.back(), ""});
         }
         const std::optional<std::size_t> now = session.changed(i);
         const int chosen = now ? static_cast<int>(*now) : -1;

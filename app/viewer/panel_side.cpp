@@ -33,6 +33,8 @@ void draw_content(Context& context, const Rect& rect, SpaceLines& lines) {
         draw_search(context);
     } else if (panel == SidePanel::cost) {
         draw_cost(context);
+    } else if (panel == SidePanel::registers) {
+        draw_registers(context);
     } else if (panel == SidePanel::normals) {
         draw_normals(context);
     } else {

@@ -37,6 +37,7 @@ void draw_projection(Context& context);
 void draw_precision(Context& context);
 void draw_clipping(Context& context);
 void draw_cost(Context& context);
+void draw_registers(Context& context);
 void draw_normals(Context& context);
 void draw_order(Context& context);
 void draw_search(Context& context);

@@ -66,13 +66,17 @@ void draw_held(Context& context, const Sheet& sheet) {
     }
 }
 
-/// Rings around the samples the traversal asked, double around the current one.
+/// Rings around the samples the traversal asked or knows to be covered, double around the current
+/// one.
 void draw_asked(Context& context, const Sheet& sheet) {
     const trace::Step& step = context.document.player().current();
     const auto pattern = raster::sample_pattern(context.document.recording().settings().samples);
     for (const trace::TrailVisit& visit : context.document.trail().visits) {
-        for (int s = 0; s < visit.samples_asked; ++s) {
+        for (int s = 0; s < static_cast<int>(pattern.size()); ++s) {
             const bool covered = raster::has_sample(visit.samples, s);
+            if (s >= visit.samples_asked && !covered) {
+                continue;
+            }
             const ImVec2 c = sheet.sample(visit.pixel, pattern[static_cast<std::size_t>(s)]);
             const ImU32 color = sheet.theme[covered ? Tone::pass : Tone::fail];
             const float width = std::min(sheet.gap(), sheet.theme.pixels(covered ? 2.5F : 1.25F));

@@ -1,5 +1,6 @@
 #include "app/viewer/space_drawing.hpp"
 
+#include "app/viewer/space_planes.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
 
@@ -258,6 +259,7 @@ void draw_spaces_content(const Context& context, const SpaceLines& lines) {
     if (step.in_vertex_stage()) {
         draw_current_vertex(scene, step);
     }
+    draw_planes_through_eye(context, lines.camera(), scene.map);
     if (const trace::TriangleDetail* triangle = context.document.triangle_detail()) {
         draw_current_triangle(scene, *triangle);
     }

@@ -1,5 +1,8 @@
 #include "app/viewer/space_lines.hpp"
 
+#include "app/viewer/space_planes.hpp"
+#include "core/explain/eye_planes.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -38,6 +41,12 @@ std::size_t for_each_triangle(const Document& document, const SpaceView& view, V
         }
     }
     return edges;
+}
+
+bool shows_planes(const Document& document) {
+    const trace::Player& player = document.player();
+    return player.current().kind >= trace::StepKind::setup && player.current().in_triangle() &&
+           explain::planes_through_eye(player.recording(), player.detail(), player.current());
 }
 
 } // namespace
@@ -172,13 +181,36 @@ Framing SpaceLines::framing_on_the_way(const Document& document, const SpaceView
     return bounds.framing();
 }
 
+/// The planes through the eye are what counts while they are shown.
+std::optional<Framing>
+SpaceLines::framing_of_planes(const Document& document, const SpaceView& view) const {
+    const trace::Player& player = document.player();
+    const auto planes =
+        explain::planes_through_eye(player.recording(), player.detail(), player.current());
+    if (!planes) {
+        return std::nullopt;
+    }
+    Bounds bounds;
+    const SpaceMap map{player.recording(), view, player.current().object};
+    const auto eye = map.of_eye(glm::vec3{0.0F});
+    if (!eye) {
+        return std::nullopt; // after the divide
+    }
+    bounds.add(*eye);
+    for (const explain::PlaneThroughEye& plane : planes->planes) {
+        bounds.add(map.of_eye(plane.edge[0] * planes_reach));
+    }
+    return bounds.framing();
+}
+
 void SpaceLines::update(const Document& document, const SpaceView& view) {
     const trace::Step& step = document.player().current();
     const Subject subject{
         document.revision(),
         is_on_the_way(view.space) ? Space::eye : view.space,
         is_on_the_way(view.space) ? view.morph : 0.0F,
-        is_of_object(view.space) ? step.object : 0};
+        is_of_object(view.space) ? step.object : 0,
+        shows_planes(document) ? document.current_triangle() : std::nullopt};
     if (subject_ != subject) {
         if (!subject_ || subject_->document != subject.document) {
             meet(document);
@@ -187,6 +219,7 @@ void SpaceLines::update(const Document& document, const SpaceView& view) {
         collect(document, view);
         framing_ = is_on_the_way(view.space) ? framing_on_the_way(document, view)
                                              : framing_of(document, view);
+        framing_ = framing_of_planes(document, view).value_or(framing_);
         view_.reset();
     }
     const auto same = [](const SpaceView& a, const SpaceView& b) {

@@ -39,6 +39,8 @@ private:
         Space space = Space::world;
         float morph = 0.0F;       ///< of eye, clip and NDC
         std::uint32_t object = 0; ///< in object space, the one shown
+        std::optional<std::uint32_t>
+            planes; ///< the triangle whose planes through the eye are shown
         friend bool operator==(const Subject&, const Subject&) = default;
     };
 
@@ -47,6 +49,8 @@ private:
     void meet(const Document& document);
     void collect(const Document& document, const SpaceView& view);
     [[nodiscard]] Framing framing_of(const Document& document, const SpaceView& view) const;
+    [[nodiscard]] std::optional<Framing>
+    framing_of_planes(const Document& document, const SpaceView& view) const;
     [[nodiscard]] Framing framing_on_the_way(const Document& document, const SpaceView& view) const;
     void add_volume(Bounds& bounds, const SpaceMap& map, float divided) const;
 

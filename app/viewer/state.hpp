@@ -54,11 +54,12 @@ enum class SidePanel : std::uint8_t {
     precision,
     clipping,
     cost,
+    registers,
     normals,
     order,
     search
 };
-inline constexpr int side_panel_count = 9;
+inline constexpr int side_panel_count = 10;
 
 enum class InspectorTab : std::uint8_t {
     vertex,

@@ -6,6 +6,7 @@
 #include "core/explain/numbers.hpp"
 
 #include <fmt/format.h>
+#include <glm/vec2.hpp>
 
 #include <array>
 #include <cmath>
@@ -72,7 +73,7 @@ void draw_path(const Sheet& sheet, const std::vector<trace::TrailVisit>& visits)
     }
     const float radius = std::min(sheet.zoom * 0.18F, sheet.theme.pixels(4));
     for (const trace::TrailVisit& visit : visits) {
-        if (visit.samples_asked > 0) {
+        if (visit.samples_asked > 0 || visit.samples != 0) {
             continue; // its samples are marked one by one
         }
         const ImVec2 c = sheet.center(visit.pixel);
@@ -84,18 +85,26 @@ void draw_path(const Sheet& sheet, const std::vector<trace::TrailVisit>& visits)
     }
 }
 
+/// Where a scanline runs, from the pixel centers.
+glm::dvec2 offset_of(const raster::ScanPlace& place) {
+    return {
+        static_cast<double>(place.offset.x) / subpixel_scale,
+        static_cast<double>(place.offset.y) / subpixel_scale};
+}
+
 /// A span: a bar over its pixels, ticks where the two edges cross the scanline.
 void draw_span(const Sheet& sheet, const raster::Span& span, bool current) {
     const float thickness = sheet.theme.pixels(current ? 3.0F : 1.5F);
-    const double y = span.row + 0.5;
+    const glm::dvec2 offset = offset_of(span.place);
+    const double y = span.row + 0.5 + offset.y;
     if (span.width() > 0) {
         sheet.list.AddLine(
             sheet.at(span.first, y), sheet.at(span.end, y), sheet.theme[Tone::pass], thickness
         );
     }
-    constexpr double half_tick = 0.35;
+    const double half_tick = span.place.sample < 0 ? 0.35 : 0.1;
     for (const raster::ScanEdge* edge : {&span.left, &span.right}) {
-        const double x = edge->position() + 0.5;
+        const double x = edge->position() + 0.5 + offset.x;
         sheet.list.AddLine(
             sheet.at(x, y - half_tick),
             sheet.at(x, y + half_tick),
@@ -106,16 +115,19 @@ void draw_span(const Sheet& sheet, const raster::Span& span, bool current) {
 }
 
 /// An active edge's x on its scanline, and what it adds per scanline.
-void label_edge(const Sheet& sheet, const raster::ScanEdge& edge, int row) {
+void label_edge(
+    const Sheet& sheet, const raster::ScanEdge& edge, int row, const raster::ScanPlace& place
+) {
+    const glm::dvec2 at{edge.position() + 0.5 + offset_of(place).x, row + 0.5 + offset_of(place).y};
     ImFont* font = sheet.theme.fonts.small_mono;
     const std::string text = fmt::format(
         "{} x = {}, {} a row",
         edge_names[static_cast<unsigned>(edge.edge)],
-        explain::number(static_cast<float>(edge.position() + 0.5)),
+        explain::number(static_cast<float>(at.x)),
         explain::signed_number(static_cast<float>(edge.slope()))
     );
     const ImVec2 size = text_size(font, text);
-    const ImVec2 cross = sheet.at(edge.position() + 0.5, row + 0.5);
+    const ImVec2 cross = sheet.at(at.x, at.y);
     const float gap = sheet.theme.units(2);
     const float x = edge.left ? cross.x - gap - size.x : cross.x + gap;
     const ImVec2 min{x, cross.y - size.y * 0.5F};
@@ -136,14 +148,14 @@ void label_scanline(Context& context, const Sheet& sheet) {
         return;
     }
     if (traversal->active && step.kind == trace::StepKind::active_edges) {
-        for (int i = 0; i < traversal->active->count; ++i) {
-            label_edge(
-                sheet, traversal->active->edges[static_cast<unsigned>(i)], traversal->active->row
-            );
+        const raster::ActiveEdges& active = *traversal->active;
+        for (int i = 0; i < active.count; ++i) {
+            label_edge(sheet, active.edges[static_cast<unsigned>(i)], active.row, active.place);
         }
     } else if (traversal->span) {
-        label_edge(sheet, traversal->span->left, traversal->span->row);
-        label_edge(sheet, traversal->span->right, traversal->span->row);
+        const raster::Span& span = *traversal->span;
+        label_edge(sheet, span.left, span.row, span.place);
+        label_edge(sheet, span.right, span.row, span.place);
     }
 }
 
@@ -160,7 +172,9 @@ void draw_traversal(Context& context) {
         draw_tile(sheet, tile, current);
     }
     for (const raster::Span& span : trail.spans) {
-        draw_span(sheet, span, step.of_scanline() && span.row == step.pixel.y);
+        const bool current =
+            step.of_scanline() && span.row == step.pixel.y && span.place.sample == step.sample;
+        draw_span(sheet, span, current);
     }
     if (view.zoom >= path_zoom) {
         draw_path(sheet, trail.visits);

@@ -75,9 +75,10 @@ void small_mono(const Theme& theme, std::string_view text, Tone tone) {
 }
 
 void row(const Theme& theme, std::string_view label, std::string_view value, Tone tone) {
-    const float column = ImGui::GetCursorPosX() + theme.units(24);
+    const float left = ImGui::GetCursorPosX();
     wrapped(theme.fonts.text, label, theme[Tone::quiet]);
-    ImGui::SameLine(column);
+    const float label_end = left + ImGui::GetItemRectSize().x + theme.units(2);
+    ImGui::SameLine(std::max(left + theme.units(24), label_end));
     ImGui::BeginGroup();
     wrapped(theme.fonts.mono, value, theme[tone]);
     ImGui::EndGroup();

@@ -289,8 +289,7 @@ std::vector<Formula> formulas(
         if (settings.sampling == scene::Sampling::conservative) {
             return square_formulas(*piece->setup, step.pixel, detail.visit->edges);
         }
-        std::vector<Formula> list =
-            running_edge_formulas(*piece->setup, *detail.visit, settings.traversal);
+        std::vector<Formula> list = running_edge_formulas(detail, step, settings.traversal);
         return list.empty() ? edge_formulas(*piece->setup, *detail.visit) : list;
     }
     if (step.kind == StepKind::line_step && piece != nullptr) {

@@ -249,7 +249,7 @@ std::string sentence_of(const Subject& of) {
             "The projections of {} and {} {}.",
             of.polygon,
             of.other,
-            event.verdict ? "overlap: which is in front?"
+            event.verdict ? "overlap: their depths decide which is in front"
                           : "do not overlap: neither hides the other"
         );
     case OrderEventKind::nearer: return nearer_sentence(of);

@@ -37,13 +37,10 @@ std::vector<Formula> plane_formulas(
 /// For the setup of homogeneous rasterization.
 std::vector<Formula> plane_setup_formulas(const raster::HomogeneousSetup& setup);
 
-/// How an incremental or serpentine traversal came by the edge values of a visited pixel: from
-/// which neighbor, by which additions. Empty for the first pixel, which is evaluated, and for other
-/// traversals.
+/// How a traversal that moves edge values came by those of a visited pixel: from which neighbor, by
+/// which additions. Empty where they were evaluated.
 std::vector<Formula> running_edge_formulas(
-    const raster::TriangleSetup& setup,
-    const trace::VisitDetail& visit,
-    scene::TraversalKind traversal
+    const trace::StepDetail& detail, const trace::Step& step, scene::TraversalKind traversal
 );
 
 } // namespace hs::explain

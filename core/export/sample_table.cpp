@@ -19,7 +19,7 @@ std::vector<std::uint32_t> last_fragments(const trace::Player& player) {
 } // namespace
 
 Table sample_table(const trace::Player& player) {
-    const SharedRecording recording = player.shared_recording();
+    const SharedRecording& recording = player.shared_recording();
     Table table{.name = "samples", .rows = 0, .columns = {}};
     const auto count = static_cast<std::size_t>(recording->settings().samples);
     const auto width = static_cast<std::size_t>(recording->width());

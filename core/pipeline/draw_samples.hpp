@@ -10,7 +10,7 @@
 #include "core/framebuffer/framebuffer.hpp"
 #include "core/pipeline/frame.hpp"
 #include "core/pipeline/narration.hpp"
-#include "core/raster/sample_coverage.hpp"
+#include "core/raster/traverse.hpp"
 
 namespace hs::pipeline {
 
@@ -187,7 +187,7 @@ void draw_sampled_pixel(
     }
 }
 
-/// Traverses a piece sample by sample.
+/// Traverses a piece, finding the samples that it covers.
 template <TraceSink Trace, framebuffer::SampleTarget Target>
 [[gnu::noinline]] geometry::TriangleVerdict draw_samples(
     const DrawCall& call,
@@ -197,13 +197,13 @@ template <TraceSink Trace, framebuffer::SampleTarget Target>
     Target& target,
     Trace& trace
 ) {
-    piece.steps = raster::sample_steps(piece.edges, call.settings.samples);
-    const bool everywhere = call.settings.traversal == scene::TraversalKind::brute_force;
+    const raster::SampledSetup setup = raster::at_samples(piece.edges, call.settings.samples);
+    piece.steps = setup.samples;
     auto verdict = geometry::TriangleVerdict::no_sample_covered;
-    raster::visit_samples(
-        piece.edges,
-        piece.steps,
-        everywhere ? region : piece.edges.bounds,
+    raster::traverse(
+        {call.settings.traversal, call.settings.tile_size},
+        setup,
+        region,
         units,
         trace,
         [&](PixelPos pixel, const raster::EdgeValues& center, raster::CoverageMask covered) {

@@ -59,6 +59,7 @@ Cost update_active_edges(ActiveEdges& active, const EdgeTable& table, int row) {
     Cost cost;
     ActiveEdges next;
     next.row = row;
+    next.place = table.place;
     for (const ScanEdge& edge :
          std::span{active.edges}.first(static_cast<std::size_t>(active.count))) {
         if (edge.end_row <= row) {

@@ -16,6 +16,7 @@ namespace hs::raster {
 struct EdgeTable {
     std::array<ScanEdge, 3> edges{};
     int count = 0;
+    ScanPlace place{}; ///< where its scanlines run
 };
 
 /// The edges that cross one scanline, from left to right: they bound the spans in pairs.
@@ -25,6 +26,7 @@ struct ActiveEdges {
     int count = 0;
     int entered = 0; ///< from this scanline's bucket
     int left = 0;    ///< that ended above it
+    ScanPlace place{};
 };
 
 /// Costs a `cost_of_scan_edge` per edge.
@@ -33,8 +35,8 @@ struct ActiveEdges {
 /// The table after the update for `row`, as if the triangle began there: to resume from.
 [[nodiscard]] ActiveEdges active_edges_at(const TriangleSetup& setup, int row);
 
-/// Update for the scanline below: drop the edges that have ended, move the others down, enter those
-/// of its bucket, sort. Says what moving cost.
+/// Update for the scanline below, of the table's place: drop the edges that have ended, move the
+/// others down, enter those of its bucket, sort. Says what moving cost.
 Cost update_active_edges(ActiveEdges& active, const EdgeTable& table, int row);
 
 } // namespace hs::raster

@@ -4,15 +4,13 @@
 
 #include "core/raster/traversal.hpp"
 
+#include <concepts>
+
 namespace hs::raster {
 
-template <TraversalTrace Trace, typename Emit>
+template <std::derived_from<TriangleSetup> Setup, TraversalTrace Trace, typename Emit>
 void traverse_bounding_box(
-    const TriangleSetup& setup,
-    const PixelRect& /*image*/,
-    UnitRange units,
-    Trace& trace,
-    Emit&& emit
+    const Setup& setup, const PixelRect& /*image*/, UnitRange units, Trace& trace, Emit&& emit
 ) {
     visit_rows(setup, setup.bounds, units, trace, emit); // the bounds lie inside the image already
 }

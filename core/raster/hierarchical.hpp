@@ -11,6 +11,8 @@
 #include "core/raster/tile.hpp"
 #include "core/raster/traversal.hpp"
 
+#include <concepts>
+
 namespace hs::raster {
 
 /// Below this many pixels a side a tile is asked pixel by pixel: its corners would be most of it.
@@ -34,23 +36,20 @@ void walk_tile(const TileTest& tile, const EdgeSteps& steps, Trace& trace, Visit
     }
 }
 
-template <TraversalTrace Trace, typename Emit>
+template <std::derived_from<TriangleSetup> Setup, TraversalTrace Trace, typename Emit>
 void visit_tile(
-    const TriangleSetup& setup,
-    const EdgeSteps& steps,
-    PixelPos origin,
-    int size,
-    Trace& trace,
-    Emit&& emit
+    const Setup& setup, const EdgeSteps& steps, PixelPos origin, int size, Trace& trace, Emit&& emit
 ) {
-    const TileTest tile = test_tile(setup, origin, size);
+    const TileTest tile = test_tile(setup, origin, size, reach_of(setup));
     trace.cost({.tiles = 1, .evaluations = 12});
     trace.tile_tested(tile);
     if (tile.verdict == TileVerdict::rejected) {
         return;
     }
     if (tile.verdict == TileVerdict::accepted) {
-        walk_tile(tile, steps, trace, emit);
+        walk_tile(tile, steps, trace, [&](PixelPos pixel, const EdgeValues& values) {
+            take(setup, pixel, values, emit);
+        });
     } else if (size <= smallest_tile) {
         walk_tile(tile, steps, trace, [&](PixelPos pixel, const EdgeValues& values) {
             ask(setup, pixel, values, trace, emit);
@@ -71,10 +70,10 @@ void visit_tile(
 }
 
 /// Unit k is the k-th tile of `tile_size` that meets the bounding box, row by row.
-template <TraversalTrace Trace, typename Emit>
+template <std::derived_from<TriangleSetup> Setup, TraversalTrace Trace, typename Emit>
 void traverse_hierarchical(
     int tile_size,
-    const TriangleSetup& setup,
+    const Setup& setup,
     const PixelRect& /*image*/,
     UnitRange units,
     Trace& trace,

@@ -24,7 +24,7 @@ void walk_dda(const LineSetup& line, const PixelRect& region, Trace& trace, cons
                                         : static_cast<float>(line.minor_step * line.rise) /
                                               static_cast<float>(line.steps);
     const LineRange range = steps_within(line, region);
-    float sum = static_cast<float>(start);
+    auto sum = static_cast<float>(start);
     int rounded = start;
     for (int k = 0; k <= range.last; ++k) {
         LineStep step{.number = k, .before = static_cast<double>(sum)};

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
+#include <span>
 
 namespace hs::raster {
 
@@ -36,6 +38,26 @@ struct SampleSteps {
         }
     }
     return result;
+}
+
+/// A setup that traversals ask at samples. Its bounds are those of `bounds_of_samples`.
+struct SampledSetup : TriangleSetup {
+    SampleSteps samples;
+    TileReach reach;
+};
+
+[[nodiscard]] inline SampledSetup at_samples(const TriangleSetup& setup, int samples) {
+    SampledSetup result{setup, sample_steps(setup, samples), {}};
+    for (unsigned k = 0; k < 3; ++k) {
+        const auto steps = std::span{result.samples.steps}.first(static_cast<std::size_t>(samples));
+        const auto step = [k](const EdgeValues& sample) { return sample[k]; };
+        result.reach.in[k] = std::ranges::max(steps | std::views::transform(step));
+        result.reach.out[k] = std::ranges::min(steps | std::views::transform(step));
+    }
+    return result;
+}
+[[nodiscard]] inline const TileReach& reach_of(const SampledSetup& setup) {
+    return setup.reach;
 }
 
 /// Which samples of a pixel the triangle covers.
@@ -65,9 +87,32 @@ bounds_of_samples(const TriangleSetup& setup, int samples, const PixelRect& imag
     return intersect(reached, image);
 }
 
+/// Asks every sample of a pixel whose edge values at the center are known: three additions each.
+/// `emit(pixel, edge values at its center, covered samples)` if one is covered.
+template <TraversalTrace Trace, typename Emit>
+void ask_samples(
+    const TriangleSetup& setup,
+    const SampleSteps& samples,
+    PixelPos pixel,
+    const EdgeValues& center,
+    Trace& trace,
+    Emit&& emit
+) {
+    unsigned mask = 0;
+    for (int s = 0; s < samples.count; ++s) {
+        const EdgeValues values = samples.at(center, s);
+        const bool inside = setup.covers(values);
+        mask |= inside ? 1U << static_cast<unsigned>(s) : 0U;
+        trace.cost(cost_of_moving);
+        trace.sample_tested({pixel, s, values, inside});
+    }
+    if (mask != 0) {
+        emit(pixel, center, static_cast<CoverageMask>(mask));
+    }
+}
+
 /// Asks every sample of every pixel of `region`, row by row; unit k is row y0 + k. Cost: the three
 /// edge functions at the center, and three additions per sample.
-/// `emit(pixel, edge values at its center, covered samples)` for every pixel that has one.
 template <TraversalTrace Trace, typename Emit>
 void visit_samples(
     const TriangleSetup& setup,
@@ -84,19 +129,34 @@ void visit_samples(
             const PixelPos pixel{x, region.y0 + unit};
             const EdgeValues center = setup.evaluate(pixel);
             trace.cost(cost_of_asking);
-            unsigned mask = 0;
-            for (int s = 0; s < samples.count; ++s) {
-                const EdgeValues values = samples.at(center, s);
-                const bool inside = setup.covers(values);
-                mask |= inside ? 1U << static_cast<unsigned>(s) : 0U;
-                trace.cost(cost_of_moving);
-                trace.sample_tested({pixel, s, values, inside});
-            }
-            if (mask != 0) {
-                emit(pixel, center, static_cast<CoverageMask>(mask));
-            }
+            ask_samples(setup, samples, pixel, center, trace, emit);
         }
     }
+}
+
+// What traversals call, for a setup that is asked at samples.
+
+template <TraversalTrace Trace, typename Emit>
+void ask(
+    const SampledSetup& setup, PixelPos pixel, const EdgeValues& center, Trace& trace, Emit&& emit
+) {
+    ask_samples(setup, setup.samples, pixel, center, trace, emit);
+}
+
+template <typename Emit>
+void take(const SampledSetup& setup, PixelPos pixel, const EdgeValues& center, Emit&& emit) {
+    emit(
+        pixel,
+        center,
+        static_cast<CoverageMask>((1U << static_cast<unsigned>(setup.samples.count)) - 1U)
+    );
+}
+
+template <TraversalTrace Trace, typename Emit>
+void visit_rows(
+    const SampledSetup& setup, const PixelRect& region, UnitRange units, Trace& trace, Emit&& emit
+) {
+    visit_samples(setup, setup.samples, region, units, trace, emit);
 }
 
 } // namespace hs::raster

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/raster/cost.hpp"
+#include "core/raster/sample_pattern.hpp"
 #include "core/raster/triangle_setup.hpp"
 
 #include <array>
@@ -58,6 +59,13 @@ struct RowRange {
 /// vertex.
 [[nodiscard]] RowRange rows_of_triangle(const TriangleSetup& setup);
 
+/// Where a scanline runs: through the pixel centers, or through one sample of every pixel. Then x
+/// is that of the triangle moved so that the sample comes to lie on the center.
+struct ScanPlace {
+    int sample = -1; ///< −1: the centers
+    SampleOffset offset;
+};
+
 /// Pixels between two edges of one scanline, [first, end), cut by the box. Empty if first >= end.
 struct Span {
     int row = 0;
@@ -65,6 +73,7 @@ struct Span {
     int end = 0;
     ScanEdge left;
     ScanEdge right;
+    ScanPlace place{};
 
     [[nodiscard]] int width() const { return first < end ? end - first : 0; }
 };

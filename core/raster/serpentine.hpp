@@ -9,15 +9,13 @@
 #include "core/raster/edge_steps.hpp"
 #include "core/raster/traversal.hpp"
 
+#include <concepts>
+
 namespace hs::raster {
 
-template <TraversalTrace Trace, typename Emit>
+template <std::derived_from<TriangleSetup> Setup, TraversalTrace Trace, typename Emit>
 void traverse_serpentine(
-    const TriangleSetup& setup,
-    const PixelRect& /*image*/,
-    UnitRange units,
-    Trace& trace,
-    Emit&& emit
+    const Setup& setup, const PixelRect& /*image*/, UnitRange units, Trace& trace, Emit&& emit
 ) {
     const PixelRect& box = setup.bounds;
     if (box.empty()) {

@@ -17,22 +17,25 @@ std::span<const Named<raster::TileVerdict>> names<raster::TileVerdict>() {
 
 namespace hs::raster {
 
-TileVerdict judge_corners(const TriangleSetup& setup, const std::array<EdgeValues, 4>& corners) {
+TileVerdict judge_corners(
+    const TriangleSetup& setup, const std::array<EdgeValues, 4>& corners, const TileReach& reach
+) {
     bool all_inside = true;
     for (unsigned k = 0; k < 3; ++k) {
-        int outside = 0;
+        bool some_inside = false;
         for (const EdgeValues& corner : corners) {
-            outside += corner[k] + setup.top_left_bias[k] < 0 ? 1 : 0;
+            const std::int64_t value = corner[k] + setup.top_left_bias[k];
+            some_inside = some_inside || value + reach.in[k] >= 0;
+            all_inside = all_inside && value + reach.out[k] >= 0;
         }
-        if (outside == 4) {
+        if (!some_inside) {
             return TileVerdict::rejected;
         }
-        all_inside = all_inside && outside == 0;
     }
     return all_inside ? TileVerdict::accepted : TileVerdict::partial;
 }
 
-TileTest test_tile(const TriangleSetup& setup, PixelPos origin, int size) {
+TileTest test_tile(const TriangleSetup& setup, PixelPos origin, int size, const TileReach& reach) {
     TileTest tile;
     tile.origin = origin;
     tile.size = size;
@@ -45,7 +48,8 @@ TileTest test_tile(const TriangleSetup& setup, PixelPos origin, int size) {
         setup.evaluate({tile.pixels.x0, bottom}),
         setup.evaluate({right, bottom}),
     };
-    tile.verdict = judge_corners(setup, tile.corners);
+    tile.reach = reach;
+    tile.verdict = judge_corners(setup, tile.corners, reach);
     return tile;
 }
 

@@ -2,7 +2,8 @@
 //
 // All share one signature, narrate every question they ask, and emit the same fragments. Their work
 // comes in *units* (a row, a tile) so that a playhead can re-run a few of them instead of a whole
-// large triangle.
+// large triangle. They ask pixels at their centers, or, given a `SampledSetup`, at several samples
+// (sample_coverage.hpp).
 #pragma once
 
 #include "core/base/pixel.hpp"
@@ -89,6 +90,12 @@ void ask(
     if (inside) {
         emit(pixel, values);
     }
+}
+
+/// Emits a pixel that is known to be covered.
+template <typename Emit>
+void take(const TriangleSetup& /*setup*/, PixelPos pixel, const EdgeValues& values, Emit&& emit) {
+    emit(pixel, values);
 }
 
 /// Visits every pixel of `region` row by row: the loop that brute force and bounding box share, so

@@ -9,7 +9,10 @@
 #include "core/raster/hierarchical.hpp"
 #include "core/raster/homogeneous.hpp"
 #include "core/raster/incremental.hpp"
+#include "core/raster/sample_spans.hpp"
 #include "core/raster/serpentine.hpp"
+
+#include <concepts>
 
 namespace hs::raster {
 
@@ -19,10 +22,12 @@ struct TraversalChoice {
     int tile_size = 8; ///< hierarchical: a power of two
 };
 
-template <TraversalTrace Trace, typename Emit>
+/// `emit` is what the setup asks for: of pixels (pixel, edge values), of a `SampledSetup`'s samples
+/// (pixel, edge values at its center, covered samples).
+template <std::derived_from<TriangleSetup> Setup, TraversalTrace Trace, typename Emit>
 void traverse(
     const TraversalChoice& choice,
-    const TriangleSetup& setup,
+    const Setup& setup,
     const PixelRect& image,
     UnitRange units,
     Trace& trace,
@@ -47,9 +52,12 @@ void traverse(
     case scene::TraversalKind::edge_table:
         return traverse_edge_table(setup, image, units, trace, emit);
     case scene::TraversalKind::homogeneous:
-        return traverse_homogeneous(setup, image, units, trace, emit);
+        if constexpr (std::same_as<Setup, TriangleSetup>) {
+            return traverse_homogeneous(setup, image, units, trace, emit);
+        }
+        break;
     }
-    HS_CHECK(false, "every traversal is handled");
+    HS_CHECK(false, "every traversal is handled; samples have no homogeneous one");
 }
 
 } // namespace hs::raster

@@ -520,8 +520,8 @@ std::optional<SettingValue> read_setting(const Settings& settings, std::string_v
 
 namespace {
 
-/// Which traversals can ask what the sampling asks: samples, or whole pixels. The rest ask pixel
-/// centers.
+/// Which traversals can ask what the sampling asks: samples, or whole pixels. Across the eye there
+/// are no edge functions to ask samples with.
 Complaint check_sampling(const Settings& settings) {
     const bool conservative = settings.sampling == Sampling::conservative;
     if (conservative && settings.samples != 1) {
@@ -534,21 +534,18 @@ Complaint check_sampling(const Settings& settings) {
         return fmt::format("sampling \"supersample\" needs samples = 4, not {}", settings.samples);
     }
     const TraversalKind kind = settings.traversal;
-    const bool sampled = kind == TraversalKind::brute_force || kind == TraversalKind::bounding_box;
     const bool boxed = kind == TraversalKind::bounding_box || kind == TraversalKind::incremental ||
-                       kind == TraversalKind::serpentine;
-    if (settings.samples > 1 && !sampled) {
+                       kind == TraversalKind::serpentine || kind == TraversalKind::hierarchical;
+    if (settings.samples > 1 && kind == TraversalKind::homogeneous) {
         return fmt::format(
-            "traversal \"{}\" asks pixel centers only; with {} samples it must be "
-            "\"brute-force\" or \"bounding-box\"",
-            name_of(kind),
+            "traversal \"homogeneous\" asks pixel centers only; with {} samples it must be another",
             settings.samples
         );
     }
     if (conservative && !boxed) {
         return fmt::format(
             "traversal \"{}\" cannot ask whole pixels; with sampling \"conservative\" it must "
-            "be \"bounding-box\", \"incremental\" or \"serpentine\"",
+            "be \"bounding-box\", \"incremental\", \"serpentine\" or \"hierarchical\"",
             name_of(kind)
         );
     }

@@ -206,19 +206,23 @@ Query::Query(std::shared_ptr<Content> content) : content_(std::move(content)) {}
 
 namespace {
 
-/// Every name a row has, reading the row that `row` holds when asked.
+/// A component of a column, of the row that `row` holds when asked.
+Name name_of(const Source& source, const Column& column, std::size_t i, const std::size_t* row) {
+    return {
+        path_of(source, column, i),
+        [table = source.table, &column, i, row, row_of = source.row_of] {
+            return value_of(column, i, row_of(*row));
+        },
+        column.meanings};
+}
+
+/// Every name a row has.
 std::vector<Name> names_of(const std::vector<Source>& sources, const std::size_t* row) {
     std::vector<Name> result;
     for (const Source& source : sources) {
         for (const Column& column : source.table->columns) {
             for (std::size_t i = 0; i < column.components; ++i) {
-                result.push_back(
-                    {path_of(source, column, i),
-                     [table = source.table, &column, i, row, row_of = source.row_of] {
-                         return value_of(column, i, row_of(*row));
-                     },
-                     column.meanings}
-                );
+                result.push_back(name_of(source, column, i, row));
             }
         }
     }

@@ -95,19 +95,21 @@ public:
     void edges_bucketed(const raster::EdgeTable& table) {
         if (!reached_) {
             traversal_->edge_table = table;
-            reached_ = step_.kind == StepKind::edge_table && piece_ == step_.piece;
+            reached_ = step_.kind == StepKind::edge_table && piece_ == step_.piece &&
+                       table.place.sample == step_.sample;
         }
     }
     void edges_activated(const raster::ActiveEdges& active) {
         if (!reached_) {
             traversal_->active = active;
-            reached_ = is_step(StepKind::active_edges, {0, active.row});
+            reached_ = is_step(StepKind::active_edges, {0, active.row}) &&
+                       active.place.sample == step_.sample;
         }
     }
     void span_found(const raster::Span& span) {
         if (!reached_) {
             traversal_->span = span;
-            reached_ = is_step(StepKind::span, {0, span.row});
+            reached_ = is_step(StepKind::span, {0, span.row}) && span.place.sample == step_.sample;
         }
     }
     void line_stepped(const raster::LineStep& line) {

@@ -34,4 +34,15 @@ struct PixelHistory {
 /// The last `limit` fragments that reached the pixel. Precondition: the pixel lies in the image.
 PixelHistory pixel_history(const Recording& recording, PixelPos pixel, std::size_t limit = 4096);
 
+/// What a fragment may leave in a pixel.
+enum class Left : std::uint8_t {
+    color,
+    depth
+};
+
+/// The last fragment, from `fragment` backward through those of its pixel, that left its color or
+/// its depth there: in a sample, or with −1 in the pixel; no_fragment: the pixel is as cleared.
+std::uint32_t
+last_writer(const Recording& recording, std::uint32_t fragment, int sample, Left what);
+
 } // namespace hs::trace

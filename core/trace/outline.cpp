@@ -102,14 +102,16 @@ public:
         add(StepKind::tile_test);
         at_.tile_size = 0;
     }
-    void edges_bucketed(const raster::EdgeTable&) { add(StepKind::edge_table); }
+    void edges_bucketed(const raster::EdgeTable& table) {
+        add_scan(StepKind::edge_table, table.place);
+    }
     void edges_activated(const raster::ActiveEdges& active) {
         at_.pixel = {0, active.row};
-        add(StepKind::active_edges);
+        add_scan(StepKind::active_edges, active.place);
     }
     void span_found(const raster::Span& span) {
         at_.pixel = {0, span.row};
-        add(StepKind::span);
+        add_scan(StepKind::span, span.place);
     }
     void fragment_sampled(const pipeline::FragmentSamples& sampled) { at_.sample = sampled.sample; }
     void interpolated(const raster::Fragment& fragment) {
@@ -149,6 +151,11 @@ private:
         outline_.steps.push_back(at_);
         outline_.costs.push_back(std::exchange(spent_, {}));
         ++at_.id;
+    }
+    void add_scan(StepKind kind, const raster::ScanPlace& place) {
+        at_.sample = place.sample;
+        add(kind);
+        at_.sample = -1;
     }
     void add_test(StepKind kind, bool passed, bool fatal) {
         at_.passed = passed;

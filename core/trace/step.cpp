@@ -179,7 +179,9 @@ std::string step_path(const Step& step) {
     }
     if (step.in_fragment()) {
         path += fmt::format(" / fragment {},{}", step.pixel.x, step.pixel.y);
-        path += step.sample >= 0 ? fmt::format(" / sample {}", step.sample) : std::string{};
+    }
+    if (step.sample >= 0) {
+        path += fmt::format(" / sample {}", step.sample);
     }
     return path + fmt::format(" / {}", operation);
 }

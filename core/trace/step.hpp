@@ -99,8 +99,9 @@ struct Step {
     PixelPos
         pixel{}; ///< edge test and later, resolve; of a tile its first pixel, of a scanline its row
     std::int32_t tile_size = 0; ///< tile_test: pixels a side
-    std::int32_t sample = -1;   ///< of a pixel with several: sample test, its depth test, and all
-                                ///< of a fragment that stands for one sample; else −1
+    std::int32_t sample = -1;   ///< of a pixel with several: sample test, its depth test, all of a
+                                ///< fragment that stands for one sample, and of scan conversion
+                                ///< whose scanline runs through it; else −1
     bool covered = false;       ///< edge, sample and plane test: inside; fragment kinds: true
     bool passed = true;         ///< tests: the verdict
     bool fatal = false;         ///< tests: the fragment ended here

@@ -57,20 +57,24 @@ public:
         }
     }
     void edges_activated(const raster::ActiveEdges& active) {
-        reached_ = reached_ || is_step(StepKind::active_edges, {0, active.row});
+        reached_ = reached_ || (is_step(StepKind::active_edges, {0, active.row}) &&
+                                active.place.sample == step_.sample);
     }
     void span_found(const raster::Span& span) {
         if (!reached_) {
             trail_.spans.push_back(span);
-            reached_ = is_step(StepKind::span, {0, span.row});
+            reached_ = is_step(StepKind::span, {0, span.row}) && span.place.sample == step_.sample;
         }
     }
-    void fragment_sampled(const pipeline::FragmentSamples&) {}
+    void fragment_sampled(const pipeline::FragmentSamples& sampled) { sampled_ = sampled.covered; }
     /// A pixel inside a span or an accepted tile becomes a fragment without being asked.
     void interpolated(const raster::Fragment& fragment) {
-        const bool asked = !trail_.visits.empty() && trail_.visits.back().pixel == fragment.pixel;
-        if (!reached_ && !asked) {
+        const bool visited = !trail_.visits.empty() && trail_.visits.back().pixel == fragment.pixel;
+        if (!reached_ && !visited) {
             trail_.visits.push_back({fragment.pixel, true});
+        }
+        if (!reached_) {
+            trail_.visits.back().samples |= sampled_;
         }
         reached_ = reached_ || (step_.in_fragment() && step_.pixel == fragment.pixel);
     }
@@ -98,6 +102,7 @@ private:
     Trail& trail_;
     const Step& step_;
     bool reached_ = false;
+    raster::CoverageMask sampled_ = 0; ///< with several samples, those of the fragment
 };
 static_assert(pipeline::TraceSink<TrailTrace>);
 

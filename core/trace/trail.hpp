@@ -18,7 +18,7 @@ struct TrailVisit {
     PixelPos pixel;
     bool covered = false;             ///< with several samples: one of those asked is
     int samples_asked = 0;            ///< with several samples: in order, up to the step
-    raster::CoverageMask samples = 0; ///< of those, the ones covered
+    raster::CoverageMask samples = 0; ///< those found covered, asked or not
 };
 
 /// In the order things happened.

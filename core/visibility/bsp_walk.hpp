@@ -59,8 +59,13 @@ void enter(
     if (first.node >= 0) {
         walk.stack.push_back(first);
     }
+    const double length = glm::length(node.plane.normal); // 0 only for a polygon without area
     sink.order_step(
-        {.kind = Kind::enter_node, .verdict = in_front, .node = index, .value = distance}, walk
+        {.kind = Kind::enter_node,
+         .verdict = in_front,
+         .node = index,
+         .value = length > 0.0 ? distance / length : 0.0},
+        walk
     );
 }
 

@@ -87,6 +87,42 @@ TEST_CASE("the second frame is recorded anew with the first", "[app][beside]") {
     CHECK(window->viewer.beside().document().recording().settings().depth_clear() == 0.0F);
 }
 
+TEST_CASE("camera and objects can differ beside, and nothing else does", "[app][beside]") {
+    const auto window =
+        with_beside({"camera.projection", "{ kind = 'orthographic', height = 1.5 }"});
+    REQUIRE(window->viewer.shows_beside());
+    const auto expect = [&](const scene::Scene& changed) {
+        const auto fresh = trace::record(std::make_shared<scene::Scene>(changed)).value();
+        CHECK(window->viewer.beside().document().recording().digest() == fresh->digest());
+        CHECK(window->viewer.document().recording().digest() != fresh->digest());
+    };
+    scene::Scene other_way = window->viewer.document().scene();
+    other_way.camera.projection = {.kind = scene::ProjectionKind::orthographic, .height = 1.5F};
+    expect(other_way);
+
+    REQUIRE_FALSE(
+        window->viewer.show_beside({"object.near.transform", "[{ translate = [0.5, 0, 0] }]"})
+    );
+    window->settle();
+    REQUIRE(window->viewer.shows_beside());
+    scene::Scene moved = window->viewer.document().scene();
+    moved.objects[1].transform = {{.vector = {0.5F, 0.0F, 0.0F}}};
+    expect(moved);
+}
+
+TEST_CASE("a camera that cannot be is refused in a sentence", "[app][beside]") {
+    const auto window = Window::with_scene();
+    for (const scene::Assignment& change :
+         {scene::Assignment{"camera.eye", "3"},
+          scene::Assignment{"camera.fov", "30"},
+          scene::Assignment{"object.nobody.transform", "[]"}}) {
+        REQUIRE_FALSE(window->viewer.show_beside(change));
+        window->settle();
+        CHECK_FALSE(window->viewer.shows_beside());
+        CHECK_FALSE(window->viewer.beside().complaint().empty());
+    }
+}
+
 TEST_CASE("a setting that cannot be is refused in a sentence", "[app][beside]") {
     const auto window = with_beside({"depth.test", "greater"});
     CHECK(window->viewer.show_beside({"depth.tset", "less"}).has_value());

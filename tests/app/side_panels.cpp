@@ -60,6 +60,7 @@ TEST_CASE("S goes through the side panels and Ctrl+D takes them away", "[app]") 
             SidePanel::precision,
             SidePanel::clipping,
             SidePanel::cost,
+            SidePanel::registers,
             SidePanel::normals,
             SidePanel::order,
             SidePanel::search}

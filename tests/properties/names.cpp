@@ -1,4 +1,5 @@
 // Every enumerator has a name and a sentence, in the one table beside its enumeration.
+#include "core/explain/why_not.hpp"
 #include "core/fragment/fate.hpp"
 #include "core/geometry/clip_volume.hpp"
 #include "core/geometry/facing.hpp"
@@ -54,6 +55,7 @@ struct Table {
     void (*check)(const char* enumeration);
 };
 constexpr Table tables[] = {
+    {"explain::PixelRole", check_table<explain::PixelRole>},
     {"fragment::FragmentFate", check_table<fragment::FragmentFate>},
     {"geometry::ClipPlane", check_table<geometry::ClipPlane>},
     {"geometry::TriangleVerdict", check_table<geometry::TriangleVerdict>},

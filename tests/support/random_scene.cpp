@@ -149,11 +149,11 @@ std::shared_ptr<const scene::Scene> sampled_scene(std::uint64_t seed) {
     case scene::Sampling::multisample: s.samples = 2 << random.below(3); break;
     case scene::Sampling::supersample: s.samples = 4; break;
     case scene::Sampling::conservative:
-        // Bounding box, incremental, serpentine
-        s.traversal = static_cast<scene::TraversalKind>(1 + random.below(3));
+        // Bounding box, incremental, serpentine, hierarchical
+        s.traversal = static_cast<scene::TraversalKind>(1 + random.below(4));
         return made;
     }
-    s.traversal = any<scene::TraversalKind>(random, 2);
+    s.traversal = any<scene::TraversalKind>(random, 7); // all but homogeneous
     return made;
 }
 

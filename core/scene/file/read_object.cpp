@@ -234,6 +234,15 @@ find_file(SceneReader& reader, const toml::node& node, const std::string& name) 
     return path;
 }
 
+void read_placement(SceneReader& reader, const toml::table& toml, Object& object) {
+    TableReader table{reader.complaints, toml, fmt::format("object \"{}\"", object.name)};
+    object.transform.clear();
+    object.material.reset();
+    read_transform(table, object);
+    read_material_name(reader, table, object);
+    table.finish();
+}
+
 void read_object(SceneReader& reader, const toml::table& toml, std::size_t number) {
     TableReader table{reader.complaints, toml, fmt::format("object {}", number)};
     Object object;

@@ -36,6 +36,8 @@ void read_material(SceneReader& reader, const toml::table& toml, std::size_t num
 void read_light(SceneReader& reader, const toml::table& toml, std::size_t number);
 /// Materials come first: objects name them.
 void read_object(SceneReader& reader, const toml::table& toml, std::size_t number);
+/// `transform` and `material` of an object that is there already, in place of what it has.
+void read_placement(SceneReader& reader, const toml::table& toml, Object& object);
 
 /// `vertices`, `polygons`, `lines`, `points`, `colors`, `normals`, `uvs`; null with complaints when
 /// something is wrong.

@@ -102,14 +102,14 @@ TEST_CASE(
 ) {
     trace::Player incremental = player("incremental");
     const auto right = formulas_at(incremental, "triangle 0 / pixel 5,3");
-    CHECK(right.at(2).symbolic == "E = E at (4, 3) + a·256");
-    CHECK(right.at(2).with_numbers == "3 932 160 + 983 040"); // x · 15 px of height
+    CHECK(right.at(2).symbolic == "E = E at (4, 3) + a");
+    CHECK(right.at(2).with_numbers == "60.0000 + 15.0000 px²"); // x · 15 px of height
     CHECK(
         formulas_at(incremental, "triangle 0 / pixel 0,3").at(2).title == "E20 from pixel (0, 2)"
     );
     trace::Player serpentine = player("serpentine");
     const auto left = formulas_at(serpentine, "triangle 0 / pixel 5,3");
-    CHECK(left.at(2).symbolic == "E = E at (6, 3) − a·256");
+    CHECK(left.at(2).symbolic == "E = E at (6, 3) − a");
 }
 
 TEST_CASE("a plane test is told with 1/w", "[explain][traversal]") {

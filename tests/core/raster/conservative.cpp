@@ -74,7 +74,8 @@ std::set<PixelPos> covered_by(const TriangleSetup& setup, scene::TraversalKind k
 constexpr std::array boxed{
     scene::TraversalKind::bounding_box,
     scene::TraversalKind::incremental,
-    scene::TraversalKind::serpentine};
+    scene::TraversalKind::serpentine,
+    scene::TraversalKind::hierarchical};
 
 } // namespace
 
