@@ -18,21 +18,21 @@ const Operation reciprocal{"1 / ", 4, UnitRule::none, [](std::span<const Number>
 const Operation within_0_1{"clamp", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
                                return std::clamp(std::get<double>(n[0]), 0.0, 1.0);
                            }};
-const Operation fused{"fma", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
-                          return std::fma(
-                              std::get<float>(n[0]), std::get<float>(n[1]), std::get<float>(n[2])
-                          );
-                      }};
+const Operation fused{
+    "fma", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
+        return std::fma(std::get<float>(n[0]), std::get<float>(n[1]), std::get<float>(n[2]));
+    }};
 
 // ---- weights
 
 /// Whether every pixel had a step of its own before it became a fragment.
 bool asks_every_pixel(const scene::Settings& settings) {
     using scene::TraversalKind;
-    return settings.samples == 1 && (settings.traversal == TraversalKind::brute_force ||
-                                     settings.traversal == TraversalKind::bounding_box ||
-                                     settings.traversal == TraversalKind::incremental ||
-                                     settings.traversal == TraversalKind::serpentine);
+    return settings.samples == 1 && !settings.sweeps() &&
+           (settings.traversal == TraversalKind::brute_force ||
+            settings.traversal == TraversalKind::bounding_box ||
+            settings.traversal == TraversalKind::incremental ||
+            settings.traversal == TraversalKind::serpentine);
 }
 
 /// An edge function where varyings are taken: the pixel's center, or the fragment's one sample.
@@ -56,9 +56,8 @@ struct Weights {
 Weights add_weights_of_edges(ValueList& list, const StepContext& context) {
     const Whole e20 = edge_of_fragment(list, context, 2);
     const Whole e01 = edge_of_fragment(list, context, 0);
-    const Real inverse = context.value(
-        StepKind::setup, "1/2A", context.piece().setup->inv_doubled_area, -2
-    );
+    const Real inverse =
+        context.value(StepKind::setup, "1/2A", context.piece().setup->inv_doubled_area, -2);
     const Real lambda1 = list.add("λ1", to_float(e20) * inverse);
     const Real lambda2 = list.add("λ2", to_float(e01) * inverse);
     list.add("λ0", (Real{1.0F} - lambda1) - lambda2);
@@ -160,6 +159,23 @@ Weights add_weights_of_planes(ValueList& list, const StepContext& context) {
     return perspective ? Weights{b[1], b[2]} : Weights{lambda[1], lambda[2]};
 }
 
+/// A ray brings the weights in space from where it hit, and the depth with them.
+Weights add_weights_of_ray(ValueList& list, const StepContext& context) {
+    const raster::Fragment& fragment = context.detail.fragment->fragment;
+    const Origin hit{{}, {}, "where the ray hit"};
+    const auto given = [&](const std::string& name, float value) {
+        return list.add(name, operand(name, value, hit));
+    };
+    for (unsigned i = 0; i < 3; ++i) {
+        given(fmt::format("λ{}", i), fragment.barycentric[i]);
+    }
+    given("b0", fragment.barycentric_clip[0]);
+    const Real b1 = given("b1", fragment.barycentric_clip[1]);
+    const Real b2 = given("b2", fragment.barycentric_clip[2]);
+    given("depth", fragment.depth);
+    return {b1, b2};
+}
+
 void add_varyings(ValueList& list, const StepContext& context, const Weights& b) {
     const std::array<TermVertex, 3> corners = corners_of_piece(context);
     const math::VaryingLayout& layout = context.call().vertex.layout;
@@ -192,11 +208,11 @@ Triple varyings_at(const StepContext& context, int first) {
     return {varying(context, first), varying(context, first + 1), varying(context, first + 2)};
 }
 
-const Operation repeated_texel{
-    "texel", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
-        const auto size = static_cast<int>(std::get<std::int64_t>(n[1]));
-        return std::int64_t{shading::repeat_texel(std::get<float>(n[0]), size)};
-    }};
+const Operation repeated_texel{"texel", 0, UnitRule::none, [](std::span<const Number> n) -> Number {
+                                   const auto size = static_cast<int>(std::get<std::int64_t>(n[1]));
+                                   return std::int64_t{
+                                       shading::repeat_texel(std::get<float>(n[0]), size)};
+                               }};
 
 /// Color times texel.
 std::array<Real, 4> add_surface(ValueList& list, const StepContext& context) {
@@ -242,14 +258,16 @@ void add_interpolation_values(ValueList& list, const StepContext& context) {
         add_varyings(list, context, add_weights_of_planes(list, context));
         return;
     }
+    if (context.recording.settings().visibility == scene::Visibility::ray_cast) {
+        add_varyings(list, context, add_weights_of_ray(list, context));
+        return;
+    }
     const Weights lambda =
         piece.line ? add_weights_of_line(list, context) : add_weights_of_edges(list, context);
     const auto depth = [&](unsigned corner) {
         return of_corner(context, StepKind::viewport, corner, "window.depth");
     };
-    list.add(
-        "depth", math::interpolate(depth(0), depth(1), depth(2), lambda.first, lambda.second)
-    );
+    list.add("depth", math::interpolate(depth(0), depth(1), depth(2), lambda.first, lambda.second));
     add_varyings(list, context, add_perspective(list, context, lambda));
 }
 

@@ -20,7 +20,7 @@ namespace hs {
 template <>
 std::span<const Named<explain::PixelRole>> names<explain::PixelRole>() {
     using explain::PixelRole;
-    static constexpr std::array<Named<PixelRole>, 16> table{{
+    static constexpr std::array<Named<PixelRole>, 17> table{{
         {PixelRole::shows, "shows", "the pixel shows its color"},
         {PixelRole::overwritten, "overwritten", "it colored the pixel, and another came after it"},
         {PixelRole::depth_failed, "depth failed", "its fragment failed the depth test"},
@@ -36,6 +36,7 @@ std::span<const Named<explain::PixelRole>> names<explain::PixelRole>() {
         {PixelRole::front_facing, "front-facing", "it shows its front, which is culled"},
         {PixelRole::degenerate, "degenerate", "its snapped vertices enclose no area"},
         {PixelRole::beyond_viewport, "beyond viewport", "the pixel lies outside the viewport"},
+        {PixelRole::hidden, "hidden", "a scanline or ray found another nearer"},
         {PixelRole::not_covered, "not covered", "the pixel lies outside one of its edges"},
     }};
     return table;
@@ -131,8 +132,8 @@ raster::CoverageMask samples_shown(const Case& of) {
     for (int s = 0; s < count; ++s) {
         const std::uint32_t writer =
             trace::last_writer(recording, last, count > 1 ? s : -1, Left::color);
-        const bool own =
-            writer != trace::no_fragment && recording.run_of_fragment(writer).triangle == of.triangle;
+        const bool own = writer != trace::no_fragment &&
+                         recording.run_of_fragment(writer).triangle == of.triangle;
         mask |= own ? 1U << static_cast<unsigned>(s) : 0U;
     }
     return static_cast<raster::CoverageMask>(mask);
@@ -177,8 +178,9 @@ TriangleAtPixel overwritten(const Case& of, std::uint32_t fragment) {
             of.name(),
             number(recording.fragments[fragment].depth),
             who(recording, by),
-            blended ? "was blended over it"
-                    : fmt::format("overwrote it at depth {}", number(recording.fragments[next].depth))
+            blended
+                ? "was blended over it"
+                : fmt::format("overwrote it at depth {}", number(recording.fragments[next].depth))
         ),
         trace::last_step_of_fragment(recording, fragment)
     );
@@ -324,9 +326,9 @@ TriangleAtPixel outside(const Case& of, const trace::TriangleDetail& detail) {
         }
         std::vector<std::string> distances;
         for (const trace::VertexDetail& corner : detail.corners) {
-            distances.push_back(number(math::signed_distance(
-                of.call().volume.planes[k], math::to_vec4(corner.work.clip)
-            )));
+            distances.push_back(number(
+                math::signed_distance(of.call().volume.planes[k], math::to_vec4(corner.work.clip))
+            ));
         }
         reason = fmt::format(
             "all its vertices lie outside plane {}, at distances {}",
@@ -368,8 +370,7 @@ culled(const Case& of, const trace::TriangleDetail& detail, TriangleVerdict verd
     );
 }
 
-TriangleAtPixel
-cut_away(const Case& of, geometry::ClipPlane plane, double distance) {
+TriangleAtPixel cut_away(const Case& of, geometry::ClipPlane plane, double distance) {
     return of.verdict(
         PixelRole::cut_away,
         fmt::format(
@@ -405,7 +406,8 @@ std::string miss_sentence(const Case& of, const Miss& miss) {
     if (settings.sampling == scene::Sampling::conservative) {
         return miss.margin < 0
                    ? fmt::format(
-                         "{} does not overlap the pixel's square: at its most inside corner {} = {} "
+                         "{} does not overlap the pixel's square: at its most inside corner {} = "
+                         "{} "
                          "px².",
                          of.name(),
                          edge_names[miss.edge],
@@ -463,6 +465,36 @@ TriangleAtPixel not_covered(const Case& of, const trace::TriangleDetail& detail)
     return of.verdict(PixelRole::not_covered, std::move(sentence), of.step({of.asked(), "setup"}));
 }
 
+/// Whether it covers the pixel, where rows show only the nearest: a ray hits it, or the pieces that
+/// scanlines cross hold the pixel's center.
+bool is_behind_another(const Case& of, const trace::TriangleDetail& detail) {
+    const trace::Recording& recording = of.recording();
+    if (!recording.settings().sweeps() ||
+        recording.final_pixels[of.pixel].last_fragment == trace::no_fragment) {
+        return false;
+    }
+    if (recording.settings().visibility == scene::Visibility::ray_cast) {
+        return ray_hit(of).has_value();
+    }
+    return std::ranges::any_of(detail.pieces, [&of](const trace::PieceDetail& piece) {
+        return piece.setup && piece.setup->covers(piece.setup->evaluate(of.pixel));
+    });
+}
+
+TriangleAtPixel hidden(const Case& of) {
+    const trace::Recording& recording = of.recording();
+    const std::uint32_t nearest = recording.final_pixels[of.pixel].last_fragment;
+    return of.verdict(
+        PixelRole::hidden,
+        fmt::format(
+            "{} covers the pixel, and {} is nearer there.",
+            of.name(),
+            who(recording, recording.run_of_fragment(nearest).triangle)
+        ),
+        trace::last_step_of_fragment(recording, nearest)
+    );
+}
+
 /// It went on to traversal and never came to the pixel.
 TriangleAtPixel passed_by(const Case& of, const trace::TriangleDetail& detail) {
     if (of.is_triangle()) {
@@ -478,6 +510,9 @@ TriangleAtPixel passed_by(const Case& of, const trace::TriangleDetail& detail) {
             fmt::format("{} is drawn within the viewport, and the pixel lies outside.", of.name()),
             of.step({"setup"})
         );
+    }
+    if (is_behind_another(of, detail)) {
+        return hidden(of);
     }
     return not_covered(of, detail);
 }
@@ -517,6 +552,7 @@ TriangleAtPixel removed(const Case& of) {
             of.recording().triangles[of.triangle].first_step
         );
     case TriangleVerdict::drawn:
+    case TriangleVerdict::unseen:
     case TriangleVerdict::no_sample_covered: return passed_by(of, detail);
     }
     HS_CHECK(false, "every verdict says why");

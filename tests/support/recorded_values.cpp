@@ -1,6 +1,7 @@
 #include "tests/support/recorded_values.hpp"
 
 #include "core/trace/player.hpp"
+#include "core/trace/sweep_detail.hpp"
 
 #include <fmt/format.h>
 
@@ -32,8 +33,25 @@ void add_vertex(Values& list, const trace::Step& step, const pipeline::VertexWor
     }
 }
 
+/// An edge that begins has a place, a question an answer, everything else a number.
+void add_sweep(Values& list, const visibility::SweepEvent& event) {
+    using enum visibility::SweepEventKind;
+    if (event.kind == edge_in) {
+        list.emplace_back("x", event.x);
+        return;
+    }
+    list.emplace_back("value", event.value);
+    list.emplace_back("verdict", event.verdict);
+    if (event.kind == compare || event.kind == depth || event.kind == keep) {
+        list.emplace_back("other value", event.other_value);
+    }
+}
+
 void add_outcodes(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::TriangleDetail& triangle
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::TriangleDetail& triangle
 ) {
     const int corners = step.primitive == scene::PrimitiveKind::triangle ? 3 : 2;
     const geometry::ClipVolume& volume = recording.frame->calls()[step.object].volume;
@@ -54,7 +72,10 @@ void add_outcodes(
 
 /// The vertices that the pass made, in the order it made them.
 void add_clip(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::TriangleDetail& triangle
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::TriangleDetail& triangle
 ) {
     const pipeline::DrawCall& call = recording.frame->calls()[step.object];
     for (const trace::ClipPass& pass : triangle.passes) {
@@ -205,7 +226,10 @@ void add_line_step(
 }
 
 void add_traversal(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::StepDetail& detail
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::StepDetail& detail
 ) {
     const trace::TraversalDetail& traversal = *detail.traversal;
     if (step.kind == StepKind::edge_table) {
@@ -272,7 +296,10 @@ void add_merge(Values& list, const trace::Recording& recording, const trace::Ste
 }
 
 void add_fragment(
-    Values& list, const trace::Recording& recording, const trace::Step& step, const trace::FragmentDetail& fragment
+    Values& list,
+    const trace::Recording& recording,
+    const trace::Step& step,
+    const trace::FragmentDetail& fragment
 ) {
     if (step.kind == StepKind::interpolate) {
         add_interpolation(list, fragment);
@@ -314,6 +341,8 @@ Values recorded_values(const trace::Recording& recording, const trace::Step& ste
     } else if (step.kind == StepKind::order) {
         const visibility::OrderEvent& event = recording.decisions[step.event];
         list.emplace_back("value", event.value);
+    } else if (step.kind == StepKind::sweep) {
+        add_sweep(list, trace::sweep_detail(recording, step).last());
     } else if (step.kind == StepKind::outcodes) {
         add_outcodes(list, recording, step, *detail.triangle);
     } else if (step.kind == StepKind::clip_plane) {
