@@ -258,68 +258,101 @@ std::vector<Formula> fragment_formulas(
     return list;
 }
 
+namespace {
+
+std::vector<Formula> vertex_step_formulas(const trace::VertexDetail& vertex, StepKind kind) {
+    if (kind == StepKind::vertex_light) {
+        return lighting_formulas(*vertex.work.terms, *vertex.lit);
+    }
+    const std::vector<Formula> all = vertex_formulas(vertex);
+    const auto index =
+        static_cast<std::size_t>(kind) - static_cast<std::size_t>(StepKind::vertex_world);
+    return index < all.size() ? std::vector{all[index]} : std::vector<Formula>{};
+}
+
+std::vector<Formula> edge_test_formulas(
+    const trace::StepDetail& detail,
+    const trace::Step& step,
+    const trace::PieceDetail* piece,
+    const scene::Settings& settings
+) {
+    if (!detail.visit || piece == nullptr || !piece->setup) {
+        return {};
+    }
+    if (settings.sampling == scene::Sampling::conservative) {
+        return square_formulas(*piece->setup, step.pixel, detail.visit->edges);
+    }
+    std::vector<Formula> running = running_edge_formulas(detail, step, settings.traversal);
+    return running.empty() ? edge_formulas(*piece->setup, *detail.visit) : running;
+}
+
+std::vector<Formula> fragment_step_formulas(
+    const trace::StepDetail& detail,
+    const trace::PieceDetail& piece,
+    StepKind kind,
+    const scene::Settings& settings
+) {
+    if (kind == StepKind::shade) {
+        std::vector<Formula> mixed =
+            mixed_color_formulas(*detail.triangle, *detail.fragment, settings);
+        if (!mixed.empty()) {
+            return mixed;
+        }
+    }
+    return only_of_step(
+        fragment_formulas(*detail.fragment, piece, settings), *detail.fragment, kind, settings
+    );
+}
+
+/// Of the steps between setup and fragments.
+std::optional<std::vector<Formula>> traversal_step_formulas(
+    const trace::StepDetail& detail,
+    const trace::Step& step,
+    const trace::PieceDetail& piece,
+    const scene::Settings& settings
+) {
+    if (step.kind == StepKind::sample_test) {
+        return sample_formulas(
+            *piece.setup, step, detail.samples[static_cast<std::size_t>(step.sample)]
+        );
+    }
+    if (step.kind == StepKind::line_step) {
+        return line_step_formulas(*piece.line, *detail.traversal->line, settings.line_algorithm);
+    }
+    if (step.kind == StepKind::plane_test) {
+        return plane_formulas(step, *piece.planes, *detail.traversal->planes);
+    }
+    if (detail.traversal && !step.has_pixel() && piece.setup) {
+        return traversal_formulas(*detail.traversal, step, *piece.setup);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 std::vector<Formula> formulas(
     const trace::StepDetail& detail, const trace::Step& step, const scene::Settings& settings
 ) {
     if (step.in_vertex_stage() && detail.vertex) {
-        if (step.kind == StepKind::vertex_light) {
-            return lighting_formulas(*detail.vertex->work.terms, *detail.vertex->lit);
-        }
-        std::vector<Formula> all = vertex_formulas(*detail.vertex);
-        const auto index =
-            static_cast<std::size_t>(step.kind) - static_cast<std::size_t>(StepKind::vertex_world);
-        if (index < all.size()) {
-            return {all[index]};
-        }
-        return {};
+        return vertex_step_formulas(*detail.vertex, step.kind);
     }
-    const trace::PieceDetail* piece = piece_of(detail, step);
     if (detail.resolve) {
         return {resolve_formula(*detail.resolve)};
     }
-    if (step.kind == StepKind::sample_test && piece != nullptr) {
-        return sample_formulas(
-            *piece->setup, step, detail.samples[static_cast<std::size_t>(step.sample)]
-        );
-    }
+    const trace::PieceDetail* const piece = piece_of(detail, step);
     if (step.kind == StepKind::edge_test) {
-        if (!detail.visit || piece == nullptr || !piece->setup) {
-            return {};
+        return edge_test_formulas(detail, step, piece, settings);
+    }
+    if (piece != nullptr) {
+        if (auto list = traversal_step_formulas(detail, step, *piece, settings)) {
+            return *std::move(list);
         }
-        if (settings.sampling == scene::Sampling::conservative) {
-            return square_formulas(*piece->setup, step.pixel, detail.visit->edges);
+        if (step.in_fragment() && detail.fragment) {
+            return fragment_step_formulas(detail, *piece, step.kind, settings);
         }
-        std::vector<Formula> list = running_edge_formulas(detail, step, settings.traversal);
-        return list.empty() ? edge_formulas(*piece->setup, *detail.visit) : list;
     }
-    if (step.kind == StepKind::line_step && piece != nullptr) {
-        return line_step_formulas(*piece->line, *detail.traversal->line, settings.line_algorithm);
-    }
-    if (step.kind == StepKind::plane_test && piece != nullptr) {
-        return plane_formulas(step, *piece->planes, *detail.traversal->planes);
-    }
-    if (detail.traversal && !step.has_pixel() && piece != nullptr && piece->setup) {
-        return traversal_formulas(*detail.traversal, step, *piece->setup);
-    }
-    if (step.in_fragment() && detail.fragment && piece != nullptr) {
-        if (step.kind == StepKind::shade) {
-            std::vector<Formula> mixed =
-                mixed_color_formulas(*detail.triangle, *detail.fragment, settings);
-            if (!mixed.empty()) {
-                return mixed;
-            }
-        }
-        return only_of_step(
-            fragment_formulas(*detail.fragment, *piece, settings),
-            *detail.fragment,
-            step.kind,
-            settings
-        );
-    }
-    if (detail.triangle) {
-        return triangle_step_formulas(*detail.triangle, step, settings);
-    }
-    return {};
+    return detail.triangle ? triangle_step_formulas(*detail.triangle, step, settings)
+                           : std::vector<Formula>{};
 }
 
 } // namespace hs::explain

@@ -1,5 +1,6 @@
 // The values of the decisions of scanlines and rays: where an edge crosses the scanline, and depths
-// on the planes of polygons. What a ray's meeting and a stretch's ends are stands as it was decided.
+// on the planes of polygons. What a ray's meeting and a stretch's ends are stands as it was
+// decided.
 #include "core/explain/sweep.hpp"
 #include "core/explain/value_list.hpp"
 
@@ -30,7 +31,9 @@ Wide crossing_term(const visibility::ScanEdge& edge, const std::string& label, i
 }
 
 /// z = −(a x + b y + d) / c; infinitely far where the plane is seen edge-on.
-Wide depth_term(const StepContext& context, const ScanState& state, std::int32_t polygon, double x) {
+Wide depth_term(
+    const StepContext& context, const ScanState& state, std::int32_t polygon, double x
+) {
     const auto& plane = state.scene->planes[static_cast<std::size_t>(polygon)];
     const std::string of = "the plane of " + swept_name(context.recording, polygon);
     if (plane.normal.z == 0.0) {

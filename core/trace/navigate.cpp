@@ -307,7 +307,8 @@ std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
     case Stage::viewport: return counters.pieces_mapped;
     case Stage::cull: return counters.pieces_faced;
     case Stage::setup: return counters.pieces_set_up;
-    case Stage::traverse: return traversed(counters);
+    case Stage::traverse:
+        return traversed(counters) + counters.fragments; // rows of the image ask no pixels
     case Stage::shade: return counters.fragments_shaded;
     case Stage::test: return counters.fragments_tested;
     case Stage::merge:

@@ -1,12 +1,11 @@
 #include "core/trace/visibility_growth.hpp"
 
-#include "core/scene/triangulate.hpp"
-
 #include <memory>
 
 namespace hs::trace {
 namespace {
 
+/// `part` of every `whole` polygons with their triangles, spread evenly; no lines and points.
 std::shared_ptr<const scene::Mesh>
 thinned(const scene::Mesh& mesh, std::size_t part, std::size_t whole) {
     auto result = std::make_shared<scene::Mesh>(mesh);
@@ -16,17 +15,29 @@ thinned(const scene::Mesh& mesh, std::size_t part, std::size_t whole) {
     result->triangle_polygon.clear();
     result->lines.clear();
     result->points.clear();
-    for (std::size_t p = 0; p + 1 < mesh.polygon_start.size(); ++p) {
-        if ((p + 1) * part / whole == p * part / whole) {
-            continue;
+    std::size_t t = 0;
+    for (std::size_t p = 0; p < mesh.polygon_count(); ++p) {
+        const bool kept = (p + 1) * part / whole > p * part / whole;
+        for (; t < mesh.triangles.size() && mesh.triangle_polygon[t] == p; ++t) {
+            if (kept) {
+                result->triangles.push_back(mesh.triangles[t]);
+                const std::size_t number = result->polygon_count();
+                result->triangle_polygon.push_back(static_cast<std::uint32_t>(number));
+            }
         }
-        for (std::size_t k = mesh.polygon_start[p]; k < mesh.polygon_start[p + 1]; ++k) {
-            result->polygon_vertices.push_back(mesh.polygon_vertices[k]);
+        if (kept) {
+            const auto corner = [&mesh](std::uint32_t k) {
+                return mesh.polygon_vertices.begin() + static_cast<std::ptrdiff_t>(k);
+            };
+            result->polygon_vertices.insert(
+                result->polygon_vertices.end(),
+                corner(mesh.polygon_start[p]),
+                corner(mesh.polygon_start[p + 1])
+            );
+            const std::size_t end = result->polygon_vertices.size();
+            result->polygon_start.push_back(static_cast<std::uint32_t>(end));
         }
-        result->polygon_start.push_back(static_cast<std::uint32_t>(result->polygon_vertices.size())
-        );
     }
-    scene::finish_mesh(*result);
     return result;
 }
 
