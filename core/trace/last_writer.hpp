@@ -1,4 +1,5 @@
-// Who left what a pixel holds: the link from a value in the framebuffer to the fragment it came from.
+// Who left what a pixel holds: the link from a value in the framebuffer to the fragment it came
+// from.
 #pragma once
 
 #include "core/trace/recording.hpp"
