@@ -2,7 +2,7 @@
 // every visible-surface algorithm makes of the scene.
 #include "app/command/command.hpp"
 #include "core/trace/comparison.hpp"
-#include "core/trace/visibility_comparison.hpp"
+#include "core/trace/visibility_growth.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,6 +14,7 @@ struct Options {
     std::filesystem::path file;
     std::string at;
     bool visibility = false;
+    bool growth = false;
 };
 
 double per_fragment(std::uint64_t count, const trace::TraversalCost& row) {
@@ -87,10 +88,11 @@ std::string first_difference(const trace::VisibilityOutcome& row) {
 
 std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
     std::string text = fmt::format(
-        "{:<15}{:>12}{:>10}{:>12}{:>12}{:>17}  first such pixel\n",
+        "{:<15}{:>12}{:>12}{:>9}{:>12}{:>12}{:>17}  first such pixel\n",
         "visibility",
         "decisions",
-        "parts",
+        "questions",
+        "cuts",
         "fragments",
         "written",
         "unlike z-buffer"
@@ -101,10 +103,11 @@ std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
             continue;
         }
         std::string line = fmt::format(
-            "{:<15}{:>12}{:>10}{:>12}{:>12}{:>17}  {}",
+            "{:<15}{:>12}{:>12}{:>9}{:>12}{:>12}{:>17}  {}",
             name_of(row.visibility),
             row.decision_count,
-            row.parts,
+            row.questions,
+            row.cuts,
             row.fragments,
             row.written,
             row.from_z_buffer.pixels,
@@ -116,13 +119,19 @@ std::string as_table(const std::vector<trace::VisibilityOutcome>& rows) {
     return text;
 }
 
-nlohmann::ordered_json decisions_json(const trace::OrderCounts& counts) {
-    nlohmann::ordered_json decisions = nlohmann::ordered_json::object();
-    for (const auto& kind : names<visibility::OrderEventKind>()) {
+template <typename Kind, typename Counts>
+void add_counts(nlohmann::ordered_json& object, const Counts& counts) {
+    for (const Named<Kind>& kind : names<Kind>()) {
         if (const std::uint64_t count = counts[static_cast<std::size_t>(kind.value)]; count > 0) {
-            decisions[std::string{kind.name}] = count;
+            object[std::string{kind.name}] = count;
         }
     }
+}
+
+nlohmann::ordered_json decisions_json(const trace::VisibilityOutcome& row) {
+    nlohmann::ordered_json decisions = nlohmann::ordered_json::object();
+    add_counts<visibility::OrderEventKind>(decisions, row.decisions);
+    add_counts<visibility::SweepEventKind>(decisions, row.sweeps);
     return decisions;
 }
 
@@ -135,7 +144,9 @@ std::string as_json(const std::vector<trace::VisibilityOutcome>& rows) {
             document.push_back(entry);
             continue;
         }
-        entry["decisions"] = decisions_json(row.decisions);
+        entry["decisions"] = decisions_json(row);
+        entry["questions"] = row.questions;
+        entry["cuts"] = row.cuts;
         entry["parts"] = row.parts;
         entry["fragments"] = row.fragments;
         entry["written"] = row.written;
@@ -158,6 +169,48 @@ int run_visibility(const Options& options, const Common& common) {
     }
     const auto rows = trace::compare_visibility((*recording)->scene());
     return print(common.json ? as_json(rows) : as_table(rows));
+}
+
+/// A column for every number of triangles, a row for every algorithm; "–" where it was refused.
+std::string as_table(const std::vector<trace::GrowthPoint>& points) {
+    std::string text = fmt::format("{:<15}", "triangles");
+    for (const trace::GrowthPoint& point : points) {
+        text += fmt::format("{:>12}", point.triangles);
+    }
+    text += '\n';
+    for (const Named<scene::Visibility>& kind : names<scene::Visibility>()) {
+        text += fmt::format("{:<15}", kind.name);
+        for (const trace::GrowthPoint& point : points) {
+            const auto& outcome = point.outcomes[static_cast<std::size_t>(kind.value)];
+            text += outcome.refusal.empty() ? fmt::format("{:>12}", outcome.questions)
+                                            : fmt::format("{:>12}", "-");
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string as_json(const std::vector<trace::GrowthPoint>& points) {
+    auto document = nlohmann::ordered_json::array();
+    for (const trace::GrowthPoint& point : points) {
+        nlohmann::ordered_json questions = nlohmann::ordered_json::object();
+        for (const trace::VisibilityOutcome& outcome : point.outcomes) {
+            if (outcome.refusal.empty()) {
+                questions[std::string{name_of(outcome.visibility)}] = outcome.questions;
+            }
+        }
+        document.push_back({{"triangles", point.triangles}, {"questions", questions}});
+    }
+    return document.dump() + '\n';
+}
+
+int run_growth(const Options& options, const Common& common) {
+    const auto recording = record_file(options.file, common);
+    if (!recording) {
+        return fail(recording.diagnostics());
+    }
+    const auto points = trace::visibility_growth((*recording)->scene());
+    return print(common.json ? as_json(points) : as_table(points));
 }
 
 int run_compare(const Options& options, const Common& common) {
@@ -187,7 +240,8 @@ Command add_compare(CLI::App& program, const Common& common) {
     );
     app->footer("Examples:\n"
                 "  halfspace compare scene.toml --at 'object 0 / triangle 12'\n"
-                "  halfspace compare scene.toml --visibility");
+                "  halfspace compare scene.toml --visibility\n"
+                "  halfspace compare mesh.obj --growth");
     app->add_option("FILE", options->file, file_help)->required();
     app->add_option("--at", options->at, "only the triangle of this step");
     app->add_flag(
@@ -195,9 +249,15 @@ Command add_compare(CLI::App& program, const Common& common) {
         options->visibility,
         "compare every visible-surface algorithm's picture with the z-buffer's instead"
     );
+    app->add_flag(
+        "--growth",
+        options->growth,
+        "count the questions every visible-surface algorithm asks as the scene's polygons double"
+    );
     const auto run = [options, &common] {
-        return options->visibility ? run_visibility(*options, common)
-                                   : run_compare(*options, common);
+        return options->growth       ? run_growth(*options, common)
+               : options->visibility ? run_visibility(*options, common)
+                                     : run_compare(*options, common);
     };
     return {app, run, true};
 }

@@ -36,6 +36,9 @@ Result<Value> count(const Recording& recording, const Subject& subject, Count co
 
     // Stretches of its draws: an order may scatter them
     const auto belongs = [&](std::uint32_t draw) {
+        if (recording.order.draws[draw].row >= 0) {
+            return false; // of all triangles
+        }
         const std::uint32_t triangle = recording.triangle_of_draw(recording.order.draws[draw]);
         return triangle >= first && triangle <= last;
     };

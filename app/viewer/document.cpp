@@ -38,6 +38,8 @@ void Document::show(std::shared_ptr<const trace::Recording> recording) {
     reasons_of_.reset();
     trail_step_.reset();
     costs_triangle_.reset();
+    sweep_step_.reset();
+    visibility_outcomes_.clear();
     order_event_.reset();
     order_.reset();
     helpers_piece_.reset();
@@ -53,6 +55,8 @@ void Document::close() {
     reasons_of_.reset();
     trail_step_.reset();
     costs_triangle_.reset();
+    sweep_step_.reset();
+    visibility_outcomes_.clear();
     order_event_.reset();
     order_.reset();
     helpers_piece_.reset();
@@ -67,8 +71,24 @@ std::optional<std::uint32_t> Document::current_triangle() const {
 }
 
 std::optional<std::uint32_t> Document::current_draw() const {
-    return current_triangle() ? std::optional{recording().draw_of_step(player_->step())}
-                              : std::nullopt;
+    const bool drawn = current_triangle() || (is_open() && recording().in_row(player_->step()));
+    return drawn ? std::optional{recording().draw_of_step(player_->step())} : std::nullopt;
+}
+
+void Document::compare_visibility() {
+    HS_CHECK(recording().end_step <= most_steps_to_compare, "a frame that is quickly recorded");
+    visibility_outcomes_ = trace::compare_visibility(scene());
+}
+
+const trace::SweepDetail* Document::sweep_detail() {
+    if (!recording().in_row(player_->step())) {
+        return nullptr;
+    }
+    if (sweep_step_ != player_->step()) {
+        sweep_ = trace::sweep_detail(recording(), player_->current());
+        sweep_step_ = player_->step();
+    }
+    return &*sweep_;
 }
 
 const trace::OrderDetail* Document::order_detail() {

@@ -9,7 +9,9 @@
 #include "core/trace/order_detail.hpp"
 #include "core/trace/player.hpp"
 #include "core/trace/quad_detail.hpp"
+#include "core/trace/sweep_detail.hpp"
 #include "core/trace/trail.hpp"
+#include "core/trace/visibility_comparison.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -71,6 +73,20 @@ public:
     /// it, where triangles are drawn in file order, and where there are more decisions than that.
     const trace::OrderDetail* order_detail();
 
+    /// Steps of a frame up to which every visible-surface algorithm is tried on it here: that takes
+    /// a second or two.
+    static constexpr trace::StepId most_steps_to_compare = 1'000'000;
+    /// What every visible-surface algorithm makes of the scene: nothing until it has been asked
+    /// for.
+    [[nodiscard]] const std::vector<trace::VisibilityOutcome>& visibility_outcomes() const {
+        return visibility_outcomes_;
+    }
+    /// Precondition: the frame has no more steps than that.
+    void compare_visibility();
+
+    /// What the current scanline or ray knows; null outside of rows that are drawn as a whole.
+    const trace::SweepDetail* sweep_detail();
+
     /// The whole history of a pixel, kept until another pixel is asked for.
     const trace::PixelHistory& history(PixelPos pixel);
 
@@ -105,6 +121,9 @@ private:
     std::optional<std::vector<PixelPos>> fighting_;
     std::optional<trace::OrderDetail> order_;
     std::optional<std::uint32_t> order_event_;
+    std::vector<trace::VisibilityOutcome> visibility_outcomes_;
+    std::optional<trace::SweepDetail> sweep_;
+    std::optional<trace::StepId> sweep_step_;
     std::string sentence_;
     std::optional<trace::StepId> sentence_step_;
     std::vector<explain::StepValue> values_;

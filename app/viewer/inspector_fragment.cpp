@@ -301,6 +301,13 @@ void draw_fragment_tab(Context& context) {
         draw_line_pixel(context, detail);
         return;
     }
+    if (!detail.visit && detail.fragment) { // a ray's: no edges were asked
+        const PixelPos pixel = detail.fragment->fragment.pixel;
+        heading(theme, fmt::format("Fragment {}", explain::pixel(pixel)));
+        draw_life(context, *detail.fragment);
+        draw_life_beside(context, pixel);
+        return;
+    }
     if (!detail.visit) {
         empty_note(
             theme,

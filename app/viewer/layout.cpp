@@ -5,11 +5,22 @@
 
 namespace hs::viewer {
 
-std::vector<trace::Stage> strip_stages(bool orders_triangles) {
-    std::vector<trace::Stage> stages;
+std::vector<trace::Stage> strip_stages(const scene::Settings& settings) {
+    using trace::Stage;
+    const bool rays = settings.visibility == scene::Visibility::ray_cast;
+    const auto shown = [&](Stage stage) {
+        const bool to_window = stage == Stage::clip || stage == Stage::divide ||
+                               stage == Stage::viewport || stage == Stage::setup;
+        const bool ordering = stage == Stage::visibility;
+        return (!ordering || settings.orders_triangles()) && (!rays || !to_window);
+    };
+    std::vector<Stage> stages;
     for (int i = 0; i < trace::stage_count; ++i) {
-        const auto stage = static_cast<trace::Stage>(i);
-        if (orders_triangles || stage != trace::Stage::visibility) {
+        const auto stage = static_cast<Stage>(i);
+        if (stage == Stage::traverse && settings.sweeps()) {
+            stages.push_back(Stage::visibility);
+        }
+        if (shown(stage)) {
             stages.push_back(stage);
         }
     }

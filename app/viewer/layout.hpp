@@ -25,8 +25,10 @@ struct Layout {
     Rect timeline;
 };
 
-/// The stages that the strip shows from left to right: ordering only where it happens.
-std::vector<trace::Stage> strip_stages(bool orders_triangles);
+/// The stages that the strip shows from left to right, as the frame goes through them: visibility
+/// only where it is a stage of its own, after setup where scanlines decide; rays need none of what
+/// takes triangles to the window.
+std::vector<trace::Stage> strip_stages(const scene::Settings& settings);
 
 /// `side_share` of the middle belongs to the side panel; 0 when it is switched off.
 Layout make_layout(ImVec2 window, const Theme& theme, float side_share);

@@ -1,4 +1,5 @@
 // Cost: what the traversal has spent so far, and what every traversal would spend on the triangle.
+#include "app/viewer/cost_visibility.hpp"
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -135,6 +136,7 @@ void draw_comparison(Context& context) {
 void draw_cost(Context& context) {
     draw_counts(context);
     draw_comparison(context);
+    draw_visibility_costs(context);
 }
 
 } // namespace hs::viewer

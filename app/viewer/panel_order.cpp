@@ -2,6 +2,7 @@
 #include "app/viewer/formula_view.hpp"
 #include "app/viewer/order_views.hpp"
 #include "app/viewer/panels.hpp"
+#include "app/viewer/sweep_views.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
 #include "core/explain/order.hpp"
@@ -56,11 +57,16 @@ void draw_formulas(Context& context, const trace::OrderDetail& detail) {
 void draw_order(Context& context) {
     const Theme& theme = context.theme;
     const scene::Settings& settings = context.document.recording().settings();
+    if (settings.sweeps()) {
+        draw_sweep(context);
+        return;
+    }
     if (!settings.orders_triangles()) {
         empty_note(
             theme,
             "Triangles are drawn in file order here. With visibility painters, front-lists, "
-            "newell-sancha, bsp or octree you will see how their order is found."
+            "newell-sancha, bsp or octree you will see how their order is found; with scanline, "
+            "scanline-z or ray-cast, how every row of the image finds the nearest."
         );
         return;
     }

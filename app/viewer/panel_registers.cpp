@@ -215,7 +215,10 @@ void draw_registers(Context& context) {
     const trace::Step& step = player.current();
     const trace::StepDetail& detail = player.detail();
     const scene::TraversalKind traversal = context.document.settings().traversal;
-    if (const auto registers = explain::registers_at(detail, step, traversal)) {
+    const bool traversed = !context.document.settings().sweeps();
+    const auto registers =
+        traversed ? explain::registers_at(detail, step, traversal) : std::nullopt;
+    if (registers) {
         draw_registers_at(context.theme, *registers);
         return;
     }

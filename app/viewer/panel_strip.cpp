@@ -3,10 +3,13 @@
 #include "app/viewer/panels.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
+#include "core/pipeline/sweep.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -42,8 +45,36 @@ std::string compact(std::uint64_t n, std::uint64_t exact_up_to) {
     return fmt::format("{:.1f}G", value / 1.0e9);
 }
 
+/// Where scanlines or rays decide what is visible, for the stages that differ.
+std::optional<Flow>
+swept_flow(trace::Stage stage, const trace::Counters& c, const trace::Recording& recording) {
+    if (!recording.settings().sweeps()) {
+        return std::nullopt;
+    }
+    if (stage == trace::Stage::visibility) {
+        const std::uint64_t decisions =
+            std::accumulate(c.sweeps.begin(), c.sweeps.end(), std::uint64_t{0});
+        return Flow{decisions, c.fragments, "decisions", "pixels that show a triangle"};
+    }
+    if (stage == trace::Stage::traverse) {
+        return Flow{c.fragments, c.fragments, "fragments", "fragments interpolated"};
+    }
+    const std::size_t kept = recording.order.sweep->triangles.size();
+    if (stage == trace::Stage::cull && kept > 0) {
+        return Flow{
+            c.pieces_faced,
+            std::min<std::uint64_t>(c.pieces_faced, kept),
+            "triangles",
+            "triangles kept"};
+    }
+    return std::nullopt;
+}
+
 Flow flow_of(trace::Stage stage, const trace::Counters& c, const trace::Recording& recording) {
     using trace::Stage;
+    if (const std::optional<Flow> swept = swept_flow(stage, c, recording)) {
+        return *swept;
+    }
     std::uint64_t vertices = 0;
     for (const trace::ObjectRange& object : recording.objects) {
         vertices += object.vertex_count;
@@ -192,7 +223,7 @@ void draw_strip(Context& context, const Rect& rect) {
     const trace::Counters counters =
         open ? context.document.player().counters() : trace::Counters{};
     const std::vector<trace::Stage> stages =
-        strip_stages(open && context.document.recording().settings().orders_triangles());
+        strip_stages(open ? context.document.recording().settings() : scene::Settings{});
     const float width = rect.width / static_cast<float>(stages.size());
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const trace::Stage stage = stages[i];

@@ -8,6 +8,7 @@
 #include "app/viewer/sample_overlay.hpp"
 #include "app/viewer/screen_picture.hpp"
 #include "app/viewer/search.hpp"
+#include "app/viewer/sweep_overlay.hpp"
 #include "app/viewer/traversal_overlay.hpp"
 #include "app/viewer/viewer.hpp"
 #include "app/viewer/widgets.hpp"
@@ -468,6 +469,7 @@ void draw_overlays(Context& context, const ScreenPicture& picture) {
         }
     }
     draw_ordered_pair(context);
+    draw_swept_row(context);
     draw_helper_pixels(context);
     draw_traversal(context);
     draw_sample_points(context);

@@ -102,6 +102,9 @@ std::string_view why_ignored(const scene::Settings& settings, std::string_view k
     if (!z_buffer && key.starts_with("depth.") && key != "depth.convention") {
         return "Only the z-buffer compares and stores depths.";
     }
+    if (settings.sweeps() && (key == "traversal" || key == "tile_size")) {
+        return "Rows of the image show the nearest of all triangles: none is traversed.";
+    }
     if (!settings.clip_enabled && key == "clip.planes") {
         return "Clipping is switched off (clip.enabled).";
     }

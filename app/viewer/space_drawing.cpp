@@ -216,6 +216,35 @@ void draw_current_triangle(const Scene& scene, const trace::TriangleDetail& tria
     }
 }
 
+/// The current ray from the near to the far plane with its hits so far; the nearest is labeled.
+void draw_current_ray(const Scene& scene, const trace::SweepDetail& detail) {
+    const Theme& theme = scene.theme();
+    const visibility::RayCast& cast = *detail.ray;
+    const glm::mat4& view =
+        scene.context.document.recording().frame->calls().front().vertex.transforms.view.matrix;
+    const auto in_eye = [&](double t) {
+        const glm::vec3 world{cast.ray.origin + t * cast.ray.direction};
+        return glm::vec3{view * glm::vec4{world, 1.0F}};
+    };
+    scene.eye_line(in_eye(0.0), in_eye(1.0), theme.faded(Tone::halo, 0.8F), 3.0F);
+    scene.eye_line(in_eye(0.0), in_eye(1.0), theme[Tone::selected], 1.5F);
+    for (const visibility::SweepEvent& event : detail.decisions) {
+        const bool hit = event.kind == visibility::SweepEventKind::meet && event.verdict;
+        const auto place = hit ? scene.map.of_eye(in_eye(event.value)) : std::nullopt;
+        const auto point = place ? scene.lines.camera().project(*place) : std::nullopt;
+        if (!point) {
+            continue;
+        }
+        const bool nearest = event.polygon == cast.nearest;
+        const ImU32 color = theme[nearest ? Tone::accent : Tone::quiet];
+        scene.list.AddCircleFilled(*point, theme.pixels(nearest ? 5.0F : 3.5F), color, 16);
+        if (nearest) {
+            const ImVec2 beside{point->x + theme.units(2), point->y - theme.units(2)};
+            scene.label(beside, color, fmt::format("t = {:.4f}", event.value));
+        }
+    }
+}
+
 } // namespace
 
 std::vector<float> section_distances(const ViewVolume& volume, float interest, int most) {
@@ -239,7 +268,7 @@ std::vector<float> section_distances(const ViewVolume& volume, float interest, i
     return distances;
 }
 
-void draw_spaces_content(const Context& context, const SpaceLines& lines) {
+void draw_spaces_content(Context& context, const SpaceLines& lines) {
     const trace::Recording& recording = context.document.recording();
     const trace::Step& step = context.document.player().current();
     if (recording.frame->calls().empty()) {
@@ -262,6 +291,9 @@ void draw_spaces_content(const Context& context, const SpaceLines& lines) {
     draw_planes_through_eye(context, lines.camera(), scene.map);
     if (const trace::TriangleDetail* triangle = context.document.triangle_detail()) {
         draw_current_triangle(scene, *triangle);
+    }
+    if (const trace::SweepDetail* sweep = context.document.sweep_detail(); sweep && sweep->ray) {
+        draw_current_ray(scene, *sweep);
     }
 }
 

@@ -8,7 +8,7 @@
 namespace hs::viewer {
 
 /// Precondition: the lines are up to date.
-void draw_spaces_content(const Context& context, const SpaceLines& lines);
+void draw_spaces_content(Context& context, const SpaceLines& lines);
 
 /// Distances from the eye at which sections of the view volume are drawn: multiples of 1, 2 or 5
 /// and a power of ten, a handful of them up to `interest`, beyond it at most `most`.

@@ -46,7 +46,7 @@ void TimelineBands::gather_frame(const trace::Recording& recording) {
 void TimelineBands::gather_draws(const trace::Recording& recording) {
     const std::size_t before = frame_.size();
     const std::vector<pipeline::Draw>& draws = recording.order.draws;
-    for (std::size_t i = 0; i < draws.size(); ++i) {
+    for (std::size_t i = 0; i < recording.first_row_draw(); ++i) {
         const trace::StepId first = recording.draw_steps[i];
         if (i > 0 && draws[i].object == draws[i - 1].object) {
             continue;
@@ -56,7 +56,7 @@ void TimelineBands::gather_draws(const trace::Recording& recording) {
         }
         frame_.push_back(
             {first,
-             recording.first_resolve_step - 1,
+             recording.first_sweep_step - 1,
              trace::Stage::traverse,
              fmt::format(
                  "{} of object {}",
@@ -68,8 +68,17 @@ void TimelineBands::gather_draws(const trace::Recording& recording) {
     }
     if (frame_.size() - before > most_objects) {
         frame_.resize(before + 1);
-        frame_.back().last = recording.first_resolve_step - 1;
+        frame_.back().last = recording.first_sweep_step - 1;
         frame_.back().label = "triangles";
+    }
+    if (recording.first_sweep_step < recording.first_resolve_step) {
+        const bool rays = recording.settings().visibility == scene::Visibility::ray_cast;
+        frame_.push_back(
+            {recording.first_sweep_step,
+             recording.first_resolve_step - 1,
+             trace::Stage::visibility,
+             rays ? "rays" : "scanlines"}
+        );
     }
     if (recording.samples.active()) {
         frame_.push_back(
@@ -83,9 +92,13 @@ void TimelineBands::gather_unit(const trace::Recording& recording, std::uint32_t
     unit_range_.first = recording.draw_steps[draw];
     unit_range_.last = trace::last_step_of_draw(recording, draw);
     const pipeline::Draw& drawn = recording.order.draws[draw];
-    const scene::Primitive primitive =
-        recording.frame->calls()[drawn.object].primitive(drawn.triangle);
-    unit_range_.label = fmt::format("{} {}", name_of(primitive.kind), primitive.number);
+    if (drawn.row >= 0) {
+        unit_range_.label = fmt::format("row {}", drawn.row);
+    } else {
+        const scene::Primitive primitive =
+            recording.frame->calls()[drawn.object].primitive(drawn.triangle);
+        unit_range_.label = fmt::format("{} {}", name_of(primitive.kind), primitive.number);
+    }
     const trace::StepId count = unit_range_.last - unit_range_.first + 1;
     const trace::StepId stride = (count + most_asked - 1) / most_asked;
     for (trace::StepId id = unit_range_.first; id <= unit_range_.last; id += stride) {

@@ -136,6 +136,23 @@ Weights add_weights_of_planes(ValueList& list, const StepContext& context) {
     return perspective ? Weights{b[1], b[2]} : Weights{lambda[1], lambda[2]};
 }
 
+/// A ray brings the weights in space from where it hit, and the depth with them.
+Weights add_weights_of_ray(ValueList& list, const StepContext& context) {
+    const raster::Fragment& fragment = context.detail.fragment->fragment;
+    const Origin hit{{}, {}, "where the ray hit"};
+    const auto given = [&](const std::string& name, float value) {
+        return list.add(name, operand(name, value, hit));
+    };
+    for (unsigned i = 0; i < 3; ++i) {
+        given(fmt::format("λ{}", i), fragment.barycentric[i]);
+    }
+    given("b0", fragment.barycentric_clip[0]);
+    const Real b1 = given("b1", fragment.barycentric_clip[1]);
+    const Real b2 = given("b2", fragment.barycentric_clip[2]);
+    given("depth", fragment.depth);
+    return {b1, b2};
+}
+
 void add_varyings(ValueList& list, const StepContext& context, const Weights& b) {
     const std::array<TermVertex, 3> corners = corners_of_piece(context);
     const math::VaryingLayout& layout = context.call().vertex.layout;
@@ -216,6 +233,10 @@ void add_interpolation_values(ValueList& list, const StepContext& context) {
     const trace::PieceDetail& piece = context.piece();
     if (piece.planes && !piece.setup) {
         add_varyings(list, context, add_weights_of_planes(list, context));
+        return;
+    }
+    if (context.recording.settings().visibility == scene::Visibility::ray_cast) {
+        add_varyings(list, context, add_weights_of_ray(list, context));
         return;
     }
     const Weights lambda =

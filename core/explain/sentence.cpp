@@ -4,6 +4,7 @@
 #include "core/explain/numbers.hpp"
 #include "core/explain/order.hpp"
 #include "core/explain/samples.hpp"
+#include "core/explain/sweep.hpp"
 #include "core/explain/traversal.hpp"
 
 #include <fmt/format.h>
@@ -337,6 +338,9 @@ std::string sentence(const trace::Player& player) {
     }
     if (step.kind == StepKind::order) {
         return order_sentence(recording, step.event);
+    }
+    if (step.kind == StepKind::sweep) {
+        return sweep_sentence(recording, trace::sweep_detail(recording, step));
     }
     const StepDetail& detail = player.detail();
     if (step.in_vertex_stage() && detail.vertex) {

@@ -18,6 +18,7 @@ void add_values(ValueList& list, const StepContext& context) {
     case StepKind::vertex_clip:
     case StepKind::vertex_light: return add_vertex_values(list, context);
     case StepKind::order: return add_order_values(list, context);
+    case StepKind::sweep: return add_sweep_values(list, context);
     case StepKind::outcodes: return add_outcode_values(list, context);
     case StepKind::clip_plane: return add_clip_values(list, context);
     case StepKind::divide: return add_divide_values(list, context);

@@ -189,11 +189,13 @@ void add_span(ValueList& list, const StepContext& context, const raster::Span& s
 }
 
 /// Whether every pixel, and every one of its samples, had a step of its own before it became a
-/// fragment.
-bool asks_every_pixel(scene::TraversalKind traversal) {
+/// fragment. Rows of the image ask no edge functions.
+bool asks_every_pixel(const scene::Settings& settings) {
     using scene::TraversalKind;
-    return traversal == TraversalKind::brute_force || traversal == TraversalKind::bounding_box ||
-           traversal == TraversalKind::incremental || traversal == TraversalKind::serpentine;
+    return !settings.sweeps() && (settings.traversal == TraversalKind::brute_force ||
+                                  settings.traversal == TraversalKind::bounding_box ||
+                                  settings.traversal == TraversalKind::incremental ||
+                                  settings.traversal == TraversalKind::serpentine);
 }
 
 } // namespace
@@ -213,7 +215,7 @@ Whole add_edge_value(ValueList& list, const StepContext& context, unsigned edge)
     const PixelPos pixel = context.step.pixel;
     const int sample = context.step.sample;
     const std::string name = edge_names[edge];
-    const bool asked = asks_every_pixel(settings.traversal);
+    const bool asked = asks_every_pixel(settings);
     if (sample >= 0) {
         return asked ? context.value(
                            StepKind::sample_test,

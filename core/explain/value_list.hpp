@@ -106,6 +106,7 @@ void add_lighting(
 // The values of each stage's steps
 void add_vertex_values(ValueList& list, const StepContext& context);
 void add_order_values(ValueList& list, const StepContext& context);
+void add_sweep_values(ValueList& list, const StepContext& context);
 void add_outcode_values(ValueList& list, const StepContext& context);
 void add_clip_values(ValueList& list, const StepContext& context);
 void add_divide_values(ValueList& list, const StepContext& context);

@@ -20,7 +20,7 @@ namespace hs {
 template <>
 std::span<const Named<explain::PixelRole>> names<explain::PixelRole>() {
     using explain::PixelRole;
-    static constexpr std::array<Named<PixelRole>, 16> table{{
+    static constexpr std::array<Named<PixelRole>, 17> table{{
         {PixelRole::shows, "shows", "the pixel shows its color"},
         {PixelRole::overwritten, "overwritten", "it colored the pixel, and another came after it"},
         {PixelRole::depth_failed, "depth failed", "its fragment failed the depth test"},
@@ -36,6 +36,7 @@ std::span<const Named<explain::PixelRole>> names<explain::PixelRole>() {
         {PixelRole::front_facing, "front-facing", "it shows its front, which is culled"},
         {PixelRole::degenerate, "degenerate", "its snapped vertices enclose no area"},
         {PixelRole::beyond_viewport, "beyond viewport", "the pixel lies outside the viewport"},
+        {PixelRole::hidden, "hidden", "a scanline or ray found another nearer"},
         {PixelRole::not_covered, "not covered", "the pixel lies outside one of its edges"},
     }};
     return table;
@@ -464,6 +465,36 @@ TriangleAtPixel not_covered(const Case& of, const trace::TriangleDetail& detail)
     return of.verdict(PixelRole::not_covered, std::move(sentence), of.step({of.asked(), "setup"}));
 }
 
+/// Whether it covers the pixel, where rows show only the nearest: a ray hits it, or the pieces that
+/// scanlines cross hold the pixel's center.
+bool is_behind_another(const Case& of, const trace::TriangleDetail& detail) {
+    const trace::Recording& recording = of.recording();
+    if (!recording.settings().sweeps() ||
+        recording.final_pixels[of.pixel].last_fragment == trace::no_fragment) {
+        return false;
+    }
+    if (recording.settings().visibility == scene::Visibility::ray_cast) {
+        return ray_hit(of).has_value();
+    }
+    return std::ranges::any_of(detail.pieces, [&of](const trace::PieceDetail& piece) {
+        return piece.setup && piece.setup->covers(piece.setup->evaluate(of.pixel));
+    });
+}
+
+TriangleAtPixel hidden(const Case& of) {
+    const trace::Recording& recording = of.recording();
+    const std::uint32_t nearest = recording.final_pixels[of.pixel].last_fragment;
+    return of.verdict(
+        PixelRole::hidden,
+        fmt::format(
+            "{} covers the pixel, and {} is nearer there.",
+            of.name(),
+            who(recording, recording.run_of_fragment(nearest).triangle)
+        ),
+        trace::last_step_of_fragment(recording, nearest)
+    );
+}
+
 /// It went on to traversal and never came to the pixel.
 TriangleAtPixel passed_by(const Case& of, const trace::TriangleDetail& detail) {
     if (of.is_triangle()) {
@@ -479,6 +510,9 @@ TriangleAtPixel passed_by(const Case& of, const trace::TriangleDetail& detail) {
             fmt::format("{} is drawn within the viewport, and the pixel lies outside.", of.name()),
             of.step({"setup"})
         );
+    }
+    if (is_behind_another(of, detail)) {
+        return hidden(of);
     }
     return not_covered(of, detail);
 }
@@ -518,6 +552,7 @@ TriangleAtPixel removed(const Case& of) {
             of.recording().triangles[of.triangle].first_step
         );
     case TriangleVerdict::drawn:
+    case TriangleVerdict::unseen:
     case TriangleVerdict::no_sample_covered: return passed_by(of, detail);
     }
     HS_CHECK(false, "every verdict says why");

@@ -27,6 +27,7 @@ enum class PixelRole : std::uint8_t {
     front_facing,
     degenerate,
     beyond_viewport,
+    hidden,
     not_covered,
 };
 

@@ -99,6 +99,9 @@ Table run_table(const SharedRecording& recording, std::uint32_t fragments);
 Table step_table(const SharedRecording& recording, trace::StepId last);
 /// The first `decisions` decisions of the ordering algorithm.
 Table order_table(const SharedRecording& recording, std::size_t decisions);
+Table span_table(const SharedRecording& recording);
+Table ray_table(const SharedRecording& recording);
+Table sweep_table(const trace::Player& player);
 Table counter_table(const trace::Counters& counters);
 /// Of the triangle the player stands on, else of the frame.
 Table traversal_table(const trace::Player& player);

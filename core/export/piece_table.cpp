@@ -68,8 +68,8 @@ std::shared_ptr<const Pieces> gather(const trace::Recording& recording) {
         const trace::TriangleRecord& record = recording.triangles[t];
         const std::uint32_t object = recording.object_of_triangle(t);
         const pipeline::DrawCall& call = recording.frame->calls()[object];
-        const bool clips = call.settings.clip_enabled &&
-                           call.settings.traversal != scene::TraversalKind::homogeneous;
+        const bool clips = call.settings.clip_enabled && !call.settings.draws_unclipped() &&
+                           call.settings.visibility != scene::Visibility::ray_cast;
         const bool clipped =
             clips && record.crossed != 0 && record.verdict != geometry::TriangleVerdict::outside;
         for (const std::uint32_t index : recording.draws_of_triangle(t)) {

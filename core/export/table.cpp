@@ -31,6 +31,12 @@ Table order_at(const Player& player) {
         std::clamp(player.step() + 1, recording.first_order_step, recording.first_triangle_step);
     return order_table(player.shared_recording(), done - recording.first_order_step);
 }
+Table spans_at(const Player& player) {
+    return span_table(player.shared_recording());
+}
+Table rays_at(const Player& player) {
+    return ray_table(player.shared_recording());
+}
 Table counters_at(const Player& player) {
     return counter_table(player.counters());
 }
@@ -44,7 +50,7 @@ Table piece_vertices_at(const Player& player) {
     return piece_tables(player.shared_recording()).vertices;
 }
 
-constexpr std::array<TableName, 11> known{{
+constexpr std::array<TableName, 14> known{{
     {"vertices", "every vertex in every space, with its varyings"},
     {"triangles", "every triangle with its verdict"},
     {"fragments", "every fragment up to the step, with its fate"},
@@ -54,6 +60,9 @@ constexpr std::array<TableName, 11> known{{
     {"pieces", "triangles made by clipping"},
     {"piece-vertices", "their vertices, with weights among the original three"},
     {"order", "every decision of the ordering algorithm, up to the step"},
+    {"spans", "what every scanline of the frame shows, from left to right"},
+    {"rays", "what every ray of the frame hits first"},
+    {"sweep", "every decision of the scanline or the ray the step stands in, up to the step"},
     {"steps", "where every step up to this one stands"},
     {"traversals", "what every traversal would spend on the step's triangle, or on the frame"},
 }};
@@ -69,6 +78,9 @@ constexpr std::array<Table (*)(const Player&), known.size()> makers{
     pieces_at,
     piece_vertices_at,
     order_at,
+    spans_at,
+    rays_at,
+    sweep_table,
     steps_at,
     traversal_table};
 
@@ -130,6 +142,11 @@ Table counter_table(const trace::Counters& counters) {
         std::ranges::replace(name, ' ', '_');
         add(name, counters.decisions[static_cast<std::size_t>(kind.value)]);
     }
+    for (const Named<visibility::SweepEventKind>& kind : names<visibility::SweepEventKind>()) {
+        std::string name = fmt::format("sweep_{}", kind.name);
+        std::ranges::replace(name, ' ', '_');
+        add(name, counters.sweeps[static_cast<std::size_t>(kind.value)]);
+    }
     add("triangles", counters.triangles);
     add("triangles_clipped", counters.clipped);
     add("pieces", counters.pieces);
@@ -161,6 +178,11 @@ std::vector<Table> trace_tables(const SharedRecording& recording) {
     tables.push_back(triangle_table(recording));
     if (recording->settings().orders_triangles()) {
         tables.push_back(order_table(recording, recording->decisions.size()));
+    }
+    if (recording->settings().visibility == scene::Visibility::ray_cast) {
+        tables.push_back(ray_table(recording));
+    } else if (recording->settings().sweeps()) {
+        tables.push_back(span_table(recording));
     }
     tables.push_back(std::move(pieces.pieces));
     tables.push_back(std::move(pieces.vertices));

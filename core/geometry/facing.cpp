@@ -5,7 +5,7 @@ namespace hs {
 template <>
 std::span<const Named<geometry::TriangleVerdict>> names<geometry::TriangleVerdict>() {
     using geometry::TriangleVerdict;
-    static constexpr std::array<Named<TriangleVerdict>, 9> table{{
+    static constexpr std::array<Named<TriangleVerdict>, 10> table{{
         {TriangleVerdict::drawn, "drawn", "it covered at least one pixel center"},
         {TriangleVerdict::outside, "outside", "nothing of it lies inside the view volume"},
         {TriangleVerdict::back_facing,
@@ -27,6 +27,9 @@ std::span<const Named<geometry::TriangleVerdict>> names<geometry::TriangleVerdic
         {TriangleVerdict::stuck,
          "stuck",
          "the ordering found no moment at which it could be drawn"},
+        {TriangleVerdict::unseen,
+         "unseen",
+         "at no pixel center is it the nearest, or it covers none"},
     }};
     return table;
 }

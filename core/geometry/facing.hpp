@@ -20,6 +20,7 @@ enum class TriangleVerdict : std::uint8_t {
     behind_the_eye,
     too_large,
     stuck,
+    unseen,
 };
 
 /// Twice the signed area in 1/65536 pixel², positive for triangles that are counterclockwise as

@@ -107,12 +107,19 @@ template <TraceSink Trace, framebuffer::PixelTarget Target>
 struct Piece {
     std::array<const float*, 3> varyings{};
     std::array<geometry::WindowVertex, 3> window{};
+    int number = 0;
 };
 
 /// What its fragments are made from.
 struct PieceSetup {
     raster::TriangleSetup edges;
     raster::Interpolator interpolator;
+};
+
+/// Takes pieces that are set up, in place of fragments.
+template <typename T>
+concept PieceTarget = requires(T target, const Piece& piece, const PieceSetup& setup) {
+    target.take(piece, setup);
 };
 
 /// What is interpolated over a piece.
@@ -275,6 +282,12 @@ geometry::TriangleVerdict draw_piece(
     const PixelRect region = intersect(call.drawable(), band);
     const PieceSetup setup = set_up_piece(call, piece, area, region);
     trace.set_up(setup.edges);
+    if constexpr (PieceTarget<Target>) {
+        target.take(piece, setup);
+    }
+    if (call.settings.sweeps()) {
+        return TriangleVerdict::unseen; // rows of the image draw it, all triangles at once
+    }
 
     // Traverse: ask samples, or pixels; draw a fragment for each one covered
     if constexpr (framebuffer::SampleTarget<Target>) {
@@ -357,6 +370,7 @@ geometry::TriangleVerdict draw_clipped(
     for (int k = 0; k + 2 < polygon.count; ++k) {
         const int piece = first_piece + k;
         Piece fan;
+        fan.number = piece;
         const std::array<int, 3> corners{0, k + 1, k + 2};
         for (unsigned corner = 0; corner < 3; ++corner) {
             const geometry::ClipVertex& vertex = polygon[corners[corner]];
@@ -434,7 +448,7 @@ geometry::TriangleVerdict draw_triangle(
     const bool constant = call.settings.shading == scene::Shading::flat ||
                           call.settings.interpolation == scene::InterpolationKind::flat;
     const bool visible = !call.settings.clip_enabled || all == 0;
-    if (visible && call.settings.traversal == scene::TraversalKind::homogeneous) {
+    if (visible && call.settings.draws_unclipped()) {
         verdict = draw_unclipped(call, indices, crossed, scope, target, trace);
     } else if (visible) {
         const bool clip = call.settings.clip_enabled && any != 0;
@@ -445,8 +459,7 @@ geometry::TriangleVerdict draw_triangle(
                 {call.varyings_of(indices.a),
                  call.varyings_of(indices.b),
                  call.varyings_of(indices.c)},
-                {v0.window, v1.window, v2.window},
-            };
+                {v0.window, v1.window, v2.window}};
             geometry::ClipPolygon assembled;
             if (constant) {
                 assembled = assemble(call, indices);

@@ -35,6 +35,12 @@ template <framebuffer::PixelTarget Target>
 void draw_band(const Frame& frame, const DrawOrder& order, const PixelRect& band, Target& target) {
     NullTrace nothing;
     for (const Draw& draw : order.draws) {
+        if (frame.settings().sweeps()) {
+            if (draw.row >= 0) { // what triangles are by themselves is known to the sweep
+                run_draw(frame, order, draw, {.band = band}, target, nothing);
+            }
+            continue;
+        }
         const DrawCall& call = frame.calls()[draw.object];
         const std::vector<ShadedVertex>& v = call.vertices;
         const scene::Primitive primitive = call.primitive(draw.triangle);
@@ -69,7 +75,7 @@ void shade_vertices(Frame& frame, Trace& trace, unsigned threads = 1) {
 /// Every triangle, in file order or in the one that the settings' algorithm finds. Where nobody
 /// listens, threads share the rows.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
-requires AnyOrderSink<Trace>
+requires AnyOrderSink<Trace> && AnySweepSink<Trace>
 void draw_triangles(const Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
     const DrawOrder order = order_triangles(frame, trace);
     if (std::is_same_v<Trace, NullTrace> && threads > 1) {
@@ -88,7 +94,7 @@ void draw_triangles(const Frame& frame, Target& target, Trace& trace, unsigned t
 
 /// A whole frame: vertices, then triangles. Precondition: `refuse_order` would not complain.
 template <TraceSink Trace, framebuffer::PixelTarget Target>
-requires AnyOrderSink<Trace>
+requires AnyOrderSink<Trace> && AnySweepSink<Trace>
 void draw_frame(Frame& frame, Target& target, Trace& trace, unsigned threads = 1) {
     shade_vertices(frame, trace, threads);
     draw_triangles(frame, target, trace, threads);

@@ -1,6 +1,7 @@
 #include "core/pipeline/draw_order.hpp"
 
 #include "core/pipeline/draw.hpp"
+#include "core/pipeline/sweep.hpp"
 
 #include <algorithm>
 #include <map>
@@ -78,6 +79,16 @@ DrawOrder file_order(const Frame& frame) {
             order.draws.push_back({call.object, i});
         }
     }
+    return order;
+}
+
+DrawOrder rows_after_triangles(const Frame& frame) {
+    DrawOrder order = file_order(frame);
+    const PixelRect region = swept_region(frame);
+    for (int row = region.y0; row < region.y1; ++row) {
+        order.draws.push_back({.row = row});
+    }
+    order.sweep = make_sweep(frame);
     return order;
 }
 

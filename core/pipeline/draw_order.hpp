@@ -6,15 +6,20 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace hs::pipeline {
 
-/// One triangle to draw, or a part of one.
+struct Sweep;
+
+/// One triangle to draw, or a part of one; or a row of the image that shows what is nearest of all
+/// of them.
 struct Draw {
     std::uint32_t object = 0;
     std::uint32_t triangle = 0; ///< of the object
     std::int32_t part = -1;     ///< index into DrawOrder::parts; −1: the whole triangle
+    std::int32_t row = -1;      ///< of the image; −1: a triangle, see above
     bool stuck = false;         ///< no order exists for it: it is passed over
 };
 
@@ -42,10 +47,15 @@ struct DrawOrder {
     std::vector<Draw> draws;              ///< every triangle at least once
     std::vector<TrianglePart> parts;      ///< empty unless something was split
     std::vector<OrderedPolygon> polygons; ///< by the numbers that events use
+    std::shared_ptr<const Sweep> sweep;   ///< where rows are drawn, the triangles they are made of
 };
 
 /// All triangles one after the other, object by object.
 DrawOrder file_order(const Frame& frame);
+
+/// All triangles, as far as each goes by itself, then the rows of the image. Precondition: the
+/// vertex stage has run.
+DrawOrder rows_after_triangles(const Frame& frame);
 
 /// An algorithm's answer, in indices of polygons.
 struct OrderAnswer {

@@ -64,6 +64,14 @@ PlanesOrVerdict set_up_in_front(
     return {raster::set_up_planes(window, w), verdict};
 }
 
+/// Which side is seen, where only the sign of the determinant tells.
+[[nodiscard]] inline geometry::TriangleVerdict
+face_by_determinant(const DrawCall& call, double determinant) {
+    const std::int64_t side = determinant < 0.0 ? 1 : determinant > 0.0 ? -1 : 0;
+    const bool finite = std::isfinite(determinant);
+    return geometry::face_verdict(finite ? side : 0, call.settings.front_face, call.settings.cull);
+}
+
 /// Across the eye only the determinant tells which side is seen.
 template <TraceSink Trace>
 PlanesOrVerdict set_up_across_eye(
@@ -71,10 +79,7 @@ PlanesOrVerdict set_up_across_eye(
 ) {
     const auto vertices = homogeneous_vertices(call, triangle);
     const double determinant = raster::determinant(vertices);
-    const std::int64_t side = determinant < 0.0 ? 1 : determinant > 0.0 ? -1 : 0;
-    const bool finite = std::isfinite(determinant);
-    const auto verdict =
-        geometry::face_verdict(finite ? side : 0, call.settings.front_face, call.settings.cull);
+    const auto verdict = face_by_determinant(call, determinant);
     trace.oriented(determinant, verdict);
     if (verdict != geometry::TriangleVerdict::drawn) {
         return {std::nullopt, verdict};

@@ -16,6 +16,7 @@
 #include "core/raster/traversal.hpp"
 #include "core/shading/shade.hpp"
 #include "core/visibility/order_trace.hpp"
+#include "core/visibility/sweep_trace.hpp"
 
 #include <array>
 #include <concepts>
@@ -63,6 +64,15 @@ struct SamplesMerge {
     framebuffer::PixelSamples after; ///< before the color format rounds them
 };
 
+/// A triangle of the frame, or a piece of one.
+struct PieceName {
+    std::uint32_t object = 0;
+    std::uint32_t triangle = 0; ///< of the object
+    std::int32_t piece = 0;
+    bool clipped = false; ///< there may be others
+    friend bool operator==(const PieceName&, const PieceName&) = default;
+};
+
 template <typename T>
 concept TraceSink = raster::TraversalTrace<T> && requires(
     T t,
@@ -84,6 +94,7 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     const FragmentSamples& sampled,
     const SamplesMerge& samples_merge,
     const framebuffer::PixelSamples& samples,
+    const PieceName& piece,
     fragment::FragmentFate fate
 ) {
     t.vertex_run(id, id, number); // *step* × number: world, eye, clip, and light for Gouraud
@@ -101,6 +112,10 @@ concept TraceSink = raster::TraversalTrace<T> && requires(
     t.planes_set_up(planes);  // *step*: homogeneous, instead of set_up
     t.line_set_up(line);      // *step*: lines and points, instead of faced and set_up
     // Here the traversal speaks: raster::TraversalTrace
+    t.sweep_begin(number);     // a row of the image, where whole rows are decided at once
+    t.pixel_begin(PixelPos{}); // a ray of that row
+    // Here scanlines and rays speak: visibility::SweepSink
+    t.shown(piece);                  // what the fragments that follow are made of
     t.fragment_sampled(sampled);     // with several samples, before each fragment
     t.interpolated(fragment);        // *step*
     t.shaded(shaded);                // *step*
@@ -120,7 +135,7 @@ template <typename T>
 concept IgnoresValues = TraceSink<T> && T::ignores_values;
 
 /// The sink that compiles away.
-struct NullTrace : raster::SilentTraversal, visibility::SilentOrder {
+struct NullTrace : raster::SilentTraversal, visibility::SilentOrder, visibility::SilentSweep {
     static constexpr bool ignores_values = true;
     static constexpr bool ignores_traversal = true;
 
@@ -138,6 +153,9 @@ struct NullTrace : raster::SilentTraversal, visibility::SilentOrder {
     void oriented(double, geometry::TriangleVerdict) {}
     void planes_set_up(const raster::HomogeneousSetup&) {}
     void line_set_up(const raster::LineSetup&) {}
+    void sweep_begin(int) {}
+    void pixel_begin(PixelPos) {}
+    void shown(const PieceName&) {}
     void fragment_sampled(const FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}

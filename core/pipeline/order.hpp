@@ -88,11 +88,15 @@ DrawOrder order_in_window(const Frame& frame, Sink& sink) {
     return draw_order(frame, sort.polygons, {sort.order, {}, window.unseen});
 }
 
-/// Runs the algorithm that the settings choose; z-buffer and none leave triangles in file order.
+/// Runs the algorithm that the settings choose; z-buffer and none leave triangles in file order,
+/// scanlines and rays come after all of them.
 /// Precondition: the vertex stage has run, and `refuse_order` has no complaint.
 template <AnyOrderSink Sink>
 DrawOrder order_triangles(const Frame& frame, Sink& sink) {
     const scene::Settings& settings = frame.settings();
+    if (settings.sweeps()) {
+        return rows_after_triangles(frame);
+    }
     if (!settings.orders_triangles()) {
         return file_order(frame);
     }

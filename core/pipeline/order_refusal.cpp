@@ -1,6 +1,7 @@
 #include "core/pipeline/order_refusal.hpp"
 
 #include "core/pipeline/order.hpp"
+#include "core/pipeline/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,9 @@ double estimate(const Frame& frame) {
         return visibility::estimate_depth_sort(window_polygons(frame).polygons);
     case Visibility::bsp:
         return visibility::estimate_bsp(world_polygons(frame), bsp_options(frame.settings()));
+    case Visibility::scanline:
+    case Visibility::scanline_z:
+    case Visibility::ray_cast: return estimate_sweep(frame);
     case Visibility::none:
     case Visibility::z_buffer:
     case Visibility::painters:
@@ -27,7 +31,9 @@ double estimate(const Frame& frame) {
 }
 
 bool is_in_world(scene::Visibility visibility) {
-    return visibility == scene::Visibility::bsp || visibility == scene::Visibility::octree;
+    using scene::Visibility;
+    return visibility == Visibility::bsp || visibility == Visibility::octree ||
+           visibility == Visibility::ray_cast;
 }
 
 /// Lines and points have no place among ordered triangles, and one sample a pixel.
@@ -37,11 +43,12 @@ std::optional<std::string> complaint_about_lines(const Frame& frame) {
         if (call.primitive_count() == call.triangles().size()) {
             continue;
         }
-        if (settings.orders_triangles()) {
+        if (settings.orders_triangles() || settings.sweeps()) {
             return fmt::format(
-                "visibility \"{}\" orders triangles; object {} has lines or points, which need "
+                "visibility \"{}\" {} triangles; object {} has lines or points, which need "
                 "\"z-buffer\" or \"none\"",
                 name_of(settings.visibility),
+                settings.sweeps() ? "shows only" : "orders",
                 call.object
             );
         }

@@ -1,7 +1,9 @@
-// Whatever comes next in the order of draws: a triangle, a part of one, a line or a point.
+// Whatever comes next in the order of draws: a triangle, a part of one, a line or a point, or a row
+// of the image.
 #pragma once
 
 #include "core/pipeline/draw_line.hpp"
+#include "core/pipeline/run_sweep.hpp"
 
 namespace hs::pipeline {
 
@@ -56,9 +58,16 @@ geometry::TriangleVerdict run_draw(
     Target& target,
     Trace& trace
 ) {
+    if (draw.row >= 0) {
+        run_sweep(frame, *order.sweep, draw.row, scope, target, trace);
+        return geometry::TriangleVerdict::drawn;
+    }
     const DrawCall& call = frame.calls()[draw.object];
     if (draw.stuck) {
         return pass_over(call, draw.triangle, trace);
+    }
+    if (frame.settings().visibility == scene::Visibility::ray_cast) {
+        return face_triangle(call, draw.triangle, trace);
     }
     if (draw.triangle >= call.triangles().size()) {
         return draw_line(call, draw.triangle, scope, target, trace);

@@ -42,9 +42,10 @@ std::optional<std::string> complaint_about_world(const Frame& frame) {
             const math::WorldPosition p = world_position(call, vertex);
             if (p.w != 1.0F) {
                 return fmt::format(
-                    "visibility \"{}\" orders triangles in the world, where a vertex needs w = 1; "
+                    "visibility \"{}\" {} triangles in the world, where a vertex needs w = 1; "
                     "vertex {} of object {} has w = {}",
                     name_of(frame.settings().visibility),
+                    frame.settings().sweeps() ? "meets" : "orders",
                     vertex,
                     call.object,
                     p.w

@@ -31,6 +31,15 @@ constexpr Named<Visibility> visibility_names[] = {
     {Visibility::octree,
      "octree",
      "space is divided in eighths, walked from the nearest; a written pixel is closed"},
+    {Visibility::scanline,
+     "scanline",
+     "along each row of pixels the nearest is decided anew at every edge that is crossed"},
+    {Visibility::scanline_z,
+     "scanline-z",
+     "row by row, all triangles are held against depths of one line of pixels"},
+    {Visibility::ray_cast,
+     "ray-cast",
+     "a ray through every pixel is held against every triangle; the nearest hit is kept"},
 };
 
 constexpr Named<BspSplitter> bsp_splitter_names[] = {

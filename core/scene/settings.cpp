@@ -552,6 +552,33 @@ Complaint check_sampling(const Settings& settings) {
     return std::nullopt;
 }
 
+/// Rows that show the nearest triangle at each pixel center have no use for what needs several
+/// fragments a pixel, or several points; rays, for what needs the view volume's planes.
+Complaint check_sweep(const Settings& settings) {
+    const std::string_view name = name_of(settings.visibility);
+    if (settings.samples > 1 || settings.sampling != Sampling::multisample) {
+        return fmt::format(
+            "visibility \"{}\" decides at pixel centers; it needs samples = 1 and sampling "
+            "\"multisample\"",
+            name
+        );
+    }
+    if (settings.blend_enabled) {
+        return fmt::format(
+            "visibility \"{}\" draws only the nearest triangle of a pixel; with blend.enabled = "
+            "true "
+            "those behind it are needed too",
+            name
+        );
+    }
+    const bool rays = settings.visibility == Visibility::ray_cast;
+    if (rays && (!settings.clip_enabled || !settings.clip_planes.empty())) {
+        return "visibility \"ray-cast\" cuts no triangles: its rays run from the near plane to the "
+               "far plane; it needs clip.enabled = true and no clip.planes";
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<std::string> check_combination(const Settings& settings) {
@@ -568,6 +595,9 @@ std::optional<std::string> check_combination(const Settings& settings) {
             R"(visibility "{}" may cut triangles, which traversal "homogeneous" draws whole)",
             name_of(settings.visibility)
         );
+    }
+    if (settings.sweeps()) {
+        return check_sweep(settings);
     }
     return check_sampling(settings);
 }

@@ -25,7 +25,10 @@ enum class Visibility : std::uint8_t {
     front_lists,
     newell_sancha,
     bsp,
-    octree
+    octree,
+    scanline,
+    scanline_z,
+    ray_cast
 };
 /// The one depth that stands for a polygon in the painter's algorithm.
 enum class PaintersKey : std::uint8_t {
@@ -170,9 +173,20 @@ struct Settings {
     Fault fault = Fault::none;
 
     /// Triangles are drawn in an order that a stage of its own finds, not in file order.
-    [[nodiscard]] bool orders_triangles() const { return visibility >= Visibility::painters; }
+    [[nodiscard]] bool orders_triangles() const {
+        return visibility >= Visibility::painters && visibility <= Visibility::octree;
+    }
     /// That stage may cut triangles in parts.
-    [[nodiscard]] bool splits_triangles() const { return visibility >= Visibility::newell_sancha; }
+    [[nodiscard]] bool splits_triangles() const {
+        return visibility >= Visibility::newell_sancha && visibility <= Visibility::octree;
+    }
+    /// What is nearest is decided for all triangles at once, row by row of the image; no triangle
+    /// is traversed.
+    [[nodiscard]] bool sweeps() const { return visibility >= Visibility::scanline; }
+    /// Triangles reach the planes through the eye as they are.
+    [[nodiscard]] bool draws_unclipped() const {
+        return traversal == TraversalKind::homogeneous && !sweeps();
+    }
     /// Triangles come front to back, so that a written pixel is closed to all that follow.
     [[nodiscard]] bool closes_pixels() const {
         return visibility == Visibility::octree ||

@@ -51,8 +51,11 @@ scene::Mesh alone(const scene::Mesh& mesh, const scene::TriangleIndices& triangl
     return one;
 }
 
-/// What all traversals can ask.
+/// What all traversals can ask, triangle by triangle.
 void ask_centers(scene::Settings& settings) {
+    if (settings.sweeps()) {
+        settings.visibility = scene::Visibility::none;
+    }
     settings.samples = 1;
     settings.sampling = scene::Sampling::multisample;
 }

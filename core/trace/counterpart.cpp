@@ -85,11 +85,28 @@ Counterpart of_triangle(const Recording& other, const Step& step) {
     return {other_piece.value_or(done.step), Match::same_part};
 }
 
+/// A decision of a scanline or ray: where the other is done with the pixel, else with everything.
+Counterpart of_sweep(const Recording& other, const Step& step) {
+    if (const auto same = find(other, step_path(step))) {
+        return {*same, Match::same_step};
+    }
+    if (step.sweeps_pixel()) {
+        const std::uint32_t fragment = other.final_pixels[step.pixel].last_fragment;
+        if (fragment != no_fragment) {
+            return {last_step_of_fragment(other, fragment), Match::same_pixel};
+        }
+    }
+    return {other.end_step, Match::same_part};
+}
+
 } // namespace
 
 Counterpart counterpart(const Recording& other, const Step& step) {
     if (step.in_triangle()) {
         return of_triangle(other, step);
+    }
+    if (step.kind == StepKind::sweep) {
+        return of_sweep(other, step);
     }
     if (const auto same = find(other, step_path(step))) {
         return {*same, Match::same_step};

@@ -12,7 +12,7 @@ namespace hs::trace {
 namespace {
 
 /// Keeps the values of one triangle's geometry.
-class TriangleTrace : public raster::SilentTraversal {
+class TriangleTrace : public raster::SilentTraversal, public visibility::SilentSweep {
 public:
     explicit TriangleTrace(TriangleDetail& triangle) : triangle_(triangle) {}
 
@@ -47,6 +47,9 @@ public:
         triangle_.pieces.back().setup = planes.window;
     }
     void line_set_up(const raster::LineSetup& line) { triangle_.pieces.back().line = line; }
+    void sweep_begin(int) {}
+    void pixel_begin(PixelPos) {}
+    void shown(const pipeline::PieceName&) {}
     void fragment_sampled(const pipeline::FragmentSamples&) {}
     void interpolated(const raster::Fragment&) {}
     void shaded(const shading::ShadedFragment&) {}
@@ -202,6 +205,13 @@ pipeline::TriangleScope scope_of(const Step& step) {
 
 constexpr pipeline::TriangleScope geometry_only{0, 0, 0, 0};
 
+/// The row a step lies in; of rays, only its own.
+pipeline::TriangleScope row_scope(const Recording& recording, const Step& step) {
+    const bool rays = recording.settings().visibility == scene::Visibility::ray_cast;
+    return rays ? pipeline::TriangleScope{0, step.unit, 0, step.unit + 1}
+                : pipeline::TriangleScope{};
+}
+
 TriangleDetail
 empty_triangle_detail(const Recording& recording, std::uint32_t object, std::uint32_t triangle) {
     const pipeline::DrawCall& call = recording.frame->calls()[object];
@@ -309,30 +319,38 @@ StepDetail step_detail(const Recording& recording, const Step& step) {
         detail.fragment->index = step.fragment;
         detail.fragment->triangle = recording.objects[step.object].first_triangle + step.triangle;
     }
-    if (step.in_unit() || step.kind == StepKind::edge_table) {
+    const bool traverses = step.in_unit() && !recording.in_row(step.id);
+    if (traverses || step.kind == StepKind::edge_table) {
         detail.traversal.emplace();
     }
     const std::uint32_t own = recording.draw_of_step(step.id);
     const std::vector<std::uint32_t> draws =
         recording.draws_of_triangle(recording.objects[step.object].first_triangle + step.triangle);
-    const auto position = std::find(draws.begin(), draws.end(), own);
+    const bool in_row = recording.in_row(step.id); // then its own draw is not the triangle's
+    const auto position = in_row ? draws.end() : std::find(draws.begin(), draws.end(), own);
     TriangleTrace parts(*detail.triangle);
     run_geometry(recording, {draws.begin(), position}, *detail.triangle, parts);
-    detail.triangle->passes.clear();
+    if (!in_row) {
+        detail.triangle->passes.clear();
+    }
     PastPixels pixels(recording, step.fragment);
     StepTrace trace(detail, step, recording.settings().color_format);
     pipeline::run_draw(
         *recording.frame,
         recording.order,
         recording.order.draws[own],
-        step.in_unit() ? scope_of(step) : geometry_only,
+        in_row           ? row_scope(recording, step)
+        : step.in_unit() ? scope_of(step)
+                         : geometry_only,
         pixels,
         trace
     );
-    TriangleDetail later = *detail.triangle;
-    TriangleTrace later_parts(later);
-    run_geometry(recording, {position + 1, draws.end()}, later, later_parts);
-    detail.triangle->pieces = std::move(later.pieces);
+    if (!in_row) {
+        TriangleDetail later = *detail.triangle;
+        TriangleTrace later_parts(later);
+        run_geometry(recording, {position + 1, draws.end()}, later, later_parts);
+        detail.triangle->pieces = std::move(later.pieces);
+    }
 
     if (detail.fragment && detail.fragment->shaded && detail.fragment->shaded->terms) {
         detail.fragment->lit =

@@ -3,161 +3,17 @@
 // A path is a list of parts; each is words and a number. Parts may come in any order; what is
 // missing on the fine side means "after the last child".
 #include "core/trace/outline.hpp"
+#include "core/trace/path_parts.hpp"
 #include "core/trace/player.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string>
-#include <system_error>
 
 namespace hs::trace {
 namespace {
-
-/// The parts of a path, as far as they were written.
-struct PathParts {
-    std::optional<std::uint32_t> object;
-    std::optional<std::uint32_t> vertex;
-    std::optional<std::uint32_t> triangle;
-    std::optional<std::uint32_t> line;
-    std::optional<std::uint32_t> point;
-    std::optional<std::uint32_t> piece;
-    std::optional<geometry::ClipPlane> plane;
-    std::optional<PixelPos> tile;
-    std::optional<int> tile_size;
-    std::optional<int> scanline;
-    std::optional<PixelPos> visit;
-    std::optional<PixelPos> fragment;
-    std::optional<int> sample;
-    std::optional<StepKind> operation;
-    std::optional<visibility::OrderEventKind> decision;
-    std::optional<std::uint64_t> ordinal; ///< among decisions of its kind
-    bool vertex_stage = false;
-    bool ordering = false;
-};
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) {
-        return {};
-    }
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-template <typename Number>
-std::optional<Number> parse_number(std::string_view text) {
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc{} || end != text.data() + text.size()) {
-        return std::nullopt;
-    }
-    return number;
-}
-
-std::optional<PixelPos> parse_pixel(std::string_view text) {
-    const auto comma = text.find(',');
-    if (comma == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const auto x = parse_number<int>(trimmed(text.substr(0, comma)));
-    const auto y = parse_number<int>(trimmed(text.substr(comma + 1)));
-    return x && y ? std::optional{PixelPos{*x, *y}} : std::nullopt;
-}
-
-std::optional<StepKind> parse_operation(std::string_view text) {
-    return parse_name<StepKind>(text);
-}
-
-/// "triangle 12 piece 1" to triangle and piece.
-bool parse_triangle(std::string_view rest, PathParts& parts) {
-    const auto piece = rest.find("piece");
-    parts.triangle = parse_number<std::uint32_t>(trimmed(rest.substr(0, piece)));
-    if (piece != std::string_view::npos) {
-        parts.piece = parse_number<std::uint32_t>(trimmed(rest.substr(piece + 5)));
-    }
-    return parts.triangle && (parts.piece || piece == std::string_view::npos);
-}
-
-/// "tile 8,0 size 4" to tile and size; without a size, the smallest tile there.
-bool parse_tile(std::string_view rest, PathParts& parts) {
-    const auto size = rest.find("size");
-    parts.tile = parse_pixel(trimmed(rest.substr(0, size)));
-    if (size != std::string_view::npos) {
-        parts.tile_size = parse_number<int>(trimmed(rest.substr(size + 4)));
-    }
-    return parts.tile && (parts.tile_size || size == std::string_view::npos);
-}
-
-/// "comparison 17": the words of a decision and how many came before it.
-bool parse_decision(std::string_view part, PathParts& parts) {
-    const std::size_t space = part.rfind(' ');
-    if (space == std::string_view::npos) {
-        return false;
-    }
-    const auto kind = parse_name<visibility::OrderEventKind>(trimmed(part.substr(0, space)));
-    const auto ordinal = parse_number<std::uint64_t>(part.substr(space + 1));
-    if (!kind || !ordinal) {
-        return false;
-    }
-    parts.decision = kind;
-    parts.ordinal = ordinal;
-    return true;
-}
-
-/// Reads one part into `parts`; false when it is not understood.
-bool parse_part(std::string_view part, PathParts& parts) {
-    if (part == "vertex stage") {
-        parts.vertex_stage = true;
-        return true;
-    }
-    if (part == "visibility") {
-        parts.ordering = true;
-        return true;
-    }
-    if (parse_decision(part, parts)) {
-        return true;
-    }
-    if (const auto operation = parse_operation(part)) {
-        parts.operation = operation;
-        return true;
-    }
-    const auto space = part.find(' ');
-    if (space == std::string_view::npos) {
-        return false;
-    }
-    const std::string_view word = part.substr(0, space);
-    const std::string_view rest = trimmed(part.substr(space));
-    if (word == "triangle") {
-        return parse_triangle(rest, parts);
-    }
-    if (word == "tile") {
-        return parse_tile(rest, parts);
-    }
-    if (word == "scanline") {
-        return (parts.scanline = parse_number<int>(rest)).has_value();
-    }
-    if (word == "sample") {
-        return (parts.sample = parse_number<int>(rest)).has_value();
-    }
-    if (word == "plane") {
-        return (parts.plane = parse_name<geometry::ClipPlane>(rest)).has_value();
-    }
-    if (word == "pixel") {
-        return (parts.visit = parse_pixel(rest)).has_value();
-    }
-    if (word == "fragment") {
-        return (parts.fragment = parse_pixel(rest)).has_value();
-    }
-    std::optional<std::uint32_t>* number = word == "object"   ? &parts.object
-                                           : word == "vertex" ? &parts.vertex
-                                           : word == "line"   ? &parts.line
-                                           : word == "point"  ? &parts.point
-                                           : word == "piece"  ? &parts.piece
-                                                              : nullptr;
-    return number != nullptr && (*number = parse_number<std::uint32_t>(rest)).has_value();
-}
 
 Diagnostic no_step(std::string message) {
     return {.message = std::move(message)};
@@ -217,6 +73,9 @@ Result<StepId> find_resolve_step(const Recording& recording, const PathParts& pa
 }
 
 Result<StepId> find_order_step(const Recording& recording, const PathParts& parts) {
+    if (parts.ordering && !parts.decision && recording.settings().sweeps()) {
+        return recording.first_resolve_step - 1;
+    }
     if (recording.first_order_step == recording.first_triangle_step) {
         return no_step(fmt::format(
             "visibility \"{}\" orders nothing; triangles are drawn in file order",
@@ -242,6 +101,34 @@ Result<StepId> find_order_step(const Recording& recording, const PathParts& part
         *parts.ordinal,
         count - 1
     ));
+}
+
+/// Whether a step of a row of the image is, or belongs to, what the path names.
+bool matches_in_row(const Step& step, const PathParts& parts) {
+    const bool decision = step.kind == StepKind::sweep;
+    const bool of_triangle = decision ? step.of_polygon : step.in_triangle();
+    const bool of_pixel = decision ? step.sweeps_pixel() : step.has_pixel();
+    const auto same = [](const auto& wanted, const auto& found) {
+        return !wanted || *wanted == found;
+    };
+    if ((parts.object || parts.triangle) &&
+        !(of_triangle && same(parts.object, step.object) && same(parts.triangle, step.triangle))) {
+        return false;
+    }
+    if (parts.piece && step.piece != static_cast<int>(*parts.piece)) {
+        return false;
+    }
+    if (!same(parts.scanline, step.pixel.y) || (parts.visit && !of_pixel) ||
+        !same(parts.visit, step.pixel)) {
+        return false;
+    }
+    if (parts.fragment && (!step.in_fragment() || step.pixel != *parts.fragment)) {
+        return false;
+    }
+    if (parts.sweep) {
+        return decision && step.sweep == *parts.sweep && same(parts.ordinal, step.ordinal);
+    }
+    return !parts.operation || step.kind == *parts.operation;
 }
 
 /// Whether a step of the wanted triangle is, or belongs to, what the path names.
@@ -302,13 +189,15 @@ std::string describe_missing(
 /// The last step of a draw that matches, searched stretch by stretch from its end.
 std::optional<StepId>
 find_draw_step(const Recording& recording, const PathParts& parts, std::uint32_t draw) {
+    const bool row = recording.order.draws[draw].row >= 0;
     const StepId first = recording.draw_steps[draw];
     const StepId last = last_step_of_draw(recording, draw);
     for (std::size_t entry = index_entry_of_step(recording, last);; --entry) {
         const Outline window = outline(recording, entry);
         const auto step =
             std::find_if(window.steps.rbegin(), window.steps.rend(), [&](const Step& candidate) {
-                return candidate.id >= first && candidate.id <= last && matches(candidate, parts);
+                return candidate.id >= first && candidate.id <= last &&
+                       (row ? matches_in_row(candidate, parts) : matches(candidate, parts));
             });
         if (step != window.steps.rend()) {
             return step->id;
@@ -373,6 +262,40 @@ std::optional<Diagnostic> number_primitive(PathParts& parts, const scene::Mesh& 
     return std::nullopt;
 }
 
+/// Which row of the image a path names, if it does.
+std::optional<int> named_row(const PathParts& parts) {
+    if (parts.scanline) {
+        return parts.scanline;
+    }
+    const std::optional<PixelPos>& pixel = parts.visit ? parts.visit : parts.fragment;
+    return pixel ? std::optional{pixel->y} : std::nullopt;
+}
+
+/// "scanline 12 / edge 3", "pixel 31,17 / object 0 / triangle 2 / meeting".
+Result<StepId> find_row_step(const Recording& recording, PathParts parts) {
+    const std::uint32_t rows = recording.first_row_draw();
+    const int first = recording.order.draws[rows].row;
+    const int last = recording.order.draws.back().row;
+    const int row = *named_row(parts);
+    if (row < first || row > last) {
+        return no_step(
+            fmt::format("there is no scanline {}; those drawn are {} to {}", row, first, last)
+        );
+    }
+    if (parts.triangle && !parts.object && recording.objects.size() == 1) {
+        parts.object = 0;
+    }
+    if (const auto found = find_draw_step(recording, parts, recording.draw_of_row(row))) {
+        return *found;
+    }
+    return no_step(fmt::format(
+        "scanline {} has no such step; what was decided there is told by 'scanline {}' and the "
+        "steps before it",
+        row,
+        row
+    ));
+}
+
 Result<StepId> find_parts(const Recording& recording, PathParts parts) {
     if (parts.ordering || parts.decision || parts.operation == StepKind::order) {
         return find_order_step(recording, parts);
@@ -421,6 +344,22 @@ Result<StepId> find_parts(const Recording& recording, PathParts parts) {
     return find_triangle_step(recording, parts);
 }
 
+/// Rows of the image first: they are of all triangles.
+Result<StepId> find_named(const Recording& recording, const PathParts& parts) {
+    if (recording.settings().sweeps() && named_row(parts)) {
+        return find_row_step(recording, parts);
+    }
+    const bool ordered = parts.decision && !recording.settings().sweeps();
+    if (parts.sweep && !ordered && !parts.operation) {
+        return no_step(fmt::format(
+            "say which scanline or pixel, as in 'scanline 12 / {}'; only visibility \"scanline\", "
+            "\"scanline-z\" and \"ray-cast\" have such steps",
+            name_of(*parts.sweep)
+        ));
+    }
+    return find_parts(recording, parts);
+}
+
 } // namespace
 
 Result<StepId> find_step(const Recording& recording, std::string_view path) {
@@ -432,7 +371,7 @@ Result<StepId> find_step(const Recording& recording, std::string_view path) {
         return recording.end_step;
     }
     if (text.starts_with('#')) {
-        const auto number = parse_number<StepId>(text.substr(1));
+        const auto number = parse_step_number(text.substr(1));
         if (!number || *number > recording.end_step) {
             return no_step(
                 fmt::format("there is no step '{}'; steps are #0 to #{}", text, recording.end_step)
@@ -456,7 +395,7 @@ Result<StepId> find_step(const Recording& recording, std::string_view path) {
         }
         from = slash + 1;
     }
-    return find_parts(recording, parts);
+    return find_named(recording, parts);
 }
 
 } // namespace hs::trace

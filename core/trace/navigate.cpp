@@ -7,6 +7,7 @@
 #include "core/trace/player.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 namespace hs::trace {
@@ -40,6 +41,7 @@ StepId stage_target(const Recording& recording, StepId from, Direction direction
     Nearest nearest(from, direction, fallback(recording, direction));
     nearest.offer(recording.first_order_step - 1);
     nearest.offer(recording.first_triangle_step - 1);
+    nearest.offer(recording.first_sweep_step - 1);
     nearest.offer(recording.first_resolve_step - 1);
     nearest.offer(recording.end_step - 1);
     return nearest.best();
@@ -59,6 +61,7 @@ StepId object_target(const Recording& recording, StepId from, Direction directio
             nearest.offer(last_step_of_draw(recording, object.last_draw));
         }
     }
+    nearest.offer(recording.first_resolve_step - 1);
     return nearest.best();
 }
 
@@ -95,35 +98,23 @@ void offer_decisions(
     }
 }
 
+/// The last step of the draws before, at and after a step, from draw `first` on.
+void offer_draws(const Recording& recording, StepId from, std::int64_t first, Nearest& nearest) {
+    const std::vector<StepId>& draws = recording.draw_steps;
+    const std::int64_t index = std::upper_bound(draws.begin(), draws.end(), from) - draws.begin();
+    for (std::int64_t d = std::max(index - 2, first); d <= std::max(index, first); ++d) {
+        if (d < static_cast<std::int64_t>(draws.size())) {
+            nearest.offer(last_step_of_draw(recording, static_cast<std::uint32_t>(d)));
+        }
+    }
+}
+
 StepId triangle_target(const Recording& recording, StepId from, Direction direction) {
     Nearest nearest(from, direction, fallback(recording, direction));
     offer_vertices(recording, from, nearest);
     offer_decisions(recording, from, visibility::OrderEventKind::emit, nearest);
-    const std::vector<StepId>& draws = recording.draw_steps;
-    const std::int64_t index = std::upper_bound(draws.begin(), draws.end(), from) - draws.begin();
-    for (std::int64_t d = index - 2; d <= index; ++d) {
-        if (d >= 0 && d < static_cast<std::int64_t>(draws.size())) {
-            nearest.offer(last_step_of_draw(recording, static_cast<std::uint32_t>(d)));
-        }
-    }
+    offer_draws(recording, from, 0, nearest);
     return nearest.best();
-}
-
-StepId fragment_target(const Player& player, Direction direction) {
-    const Recording& recording = player.recording();
-    const std::uint32_t done = player.fragments_done();
-    if (direction == Direction::forward) {
-        return done < recording.fragments.size() ? last_step_of_fragment(recording, done)
-                                                 : recording.end_step;
-    }
-    if (done == 0) {
-        return 0;
-    }
-    const StepId last = last_step_of_fragment(recording, done - 1);
-    if (last < player.step()) {
-        return last;
-    }
-    return done == 1 ? 0 : last_step_of_fragment(recording, done - 2);
 }
 
 bool same_unit(const Step& a, const Step& b) {
@@ -131,12 +122,24 @@ bool same_unit(const Step& a, const Step& b) {
            a.piece == b.piece && a.unit == b.unit;
 }
 
-/// Offers the last step of every unit in one stretch. Stretches never end inside a unit.
-void offer_units(const Outline& window, Nearest& nearest) {
+/// Offers the last step of every unit of triangles' traversals in one
+/// stretch. Stretches never end inside a unit.
+void offer_units(const Recording& recording, const Outline& window, Nearest& nearest) {
     for (std::size_t i = 0; i < window.steps.size(); ++i) {
         const bool ends =
             i + 1 == window.steps.size() || !same_unit(window.steps[i], window.steps[i + 1]);
-        if (window.steps[i].in_unit() && ends) {
+        if (window.steps[i].in_unit() && ends && !recording.in_row(window.steps[i].id)) {
+            nearest.offer(window.steps[i].id);
+        }
+    }
+}
+
+/// Offers the last step of every ray. Stretches never end inside one.
+void offer_rays(const Recording& recording, const Outline& window, Nearest& nearest) {
+    for (std::size_t i = 0; i < window.steps.size(); ++i) {
+        const bool ends =
+            i + 1 == window.steps.size() || window.steps[i].pixel != window.steps[i + 1].pixel;
+        if (ends && recording.in_row(window.steps[i].id)) {
             nearest.offer(window.steps[i].id);
         }
     }
@@ -225,13 +228,60 @@ std::uint64_t traversed(const Counters& counters) {
     return counters.traversal.pixels + counters.traversal.tiles + counters.scan_steps;
 }
 
-/// The end of a unit of a traversal, or the beginning of an iteration of an ordering.
+/// The end of a unit of a traversal or of a row of the image, or the beginning of an iteration of
+/// an ordering.
 StepId unit_target(const Recording& recording, StepId from, Direction direction) {
     const StepId none = fallback(recording, direction);
     Nearest nearest(from, direction, none);
     offer_decisions(recording, from, visibility::OrderEventKind::iteration, nearest);
-    nearest.offer(search_stretches(recording, from, direction, none, traversed, offer_units));
+    offer_draws(recording, from, recording.first_row_draw(), nearest);
+    nearest.offer(search_stretches(
+        recording,
+        from,
+        direction,
+        none,
+        traversed,
+        [&recording](const Outline& window, Nearest& found) {
+            offer_units(recording, window, found);
+        }
+    ));
     return nearest.best();
+}
+
+/// The end of a ray.
+StepId pixel_target(const Recording& recording, StepId from, Direction direction) {
+    return search_stretches(
+        recording,
+        from,
+        direction,
+        fallback(recording, direction),
+        [](const Counters& counters) {
+            return counters.sweeps[static_cast<std::size_t>(visibility::SweepEventKind::cast)];
+        },
+        [&recording](const Outline& window, Nearest& nearest) {
+            offer_rays(recording, window, nearest);
+        }
+    );
+}
+
+StepId fragment_target(const Player& player, Direction direction) {
+    const Recording& recording = player.recording();
+    if (recording.settings().visibility == scene::Visibility::ray_cast) {
+        return pixel_target(recording, player.step(), direction);
+    }
+    const std::uint32_t done = player.fragments_done();
+    if (direction == Direction::forward) {
+        return done < recording.fragments.size() ? last_step_of_fragment(recording, done)
+                                                 : recording.end_step;
+    }
+    if (done == 0) {
+        return 0;
+    }
+    const StepId last = last_step_of_fragment(recording, done - 1);
+    if (last < player.step()) {
+        return last;
+    }
+    return done == 1 ? 0 : last_step_of_fragment(recording, done - 2);
 }
 
 /// The nearest step within [first, last), for stages that come as a whole.
@@ -247,8 +297,11 @@ std::optional<StepId> step_within(StepId first, StepId last, StepId from, Direct
 std::uint64_t stage_count_of(const Counters& counters, Stage stage) {
     switch (stage) {
     case Stage::application:
-    case Stage::vertex:
-    case Stage::visibility: return counters.vertices; // found by their ranges of steps
+    case Stage::vertex: return counters.vertices; // found by its range of steps
+    case Stage::visibility:
+        return std::accumulate(
+            counters.sweeps.begin(), counters.sweeps.end(), std::uint64_t{0}
+        ); // decisions about order are found by their range
     case Stage::clip: return counters.triangles;
     case Stage::divide: return counters.pieces;
     case Stage::viewport: return counters.pieces_mapped;
@@ -306,7 +359,7 @@ std::optional<StepId> Player::find_stage(Stage stage, Direction direction) const
     if (stage == Stage::vertex) {
         return step_within(1, recording_->first_order_step, step(), direction);
     }
-    if (stage == Stage::visibility) {
+    if (stage == Stage::visibility && !recording_->settings().sweeps()) {
         return step_within(
             recording_->first_order_step, recording_->first_triangle_step, step(), direction
         );

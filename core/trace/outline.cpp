@@ -37,6 +37,38 @@ public:
             .primitive = primitive.kind,
             .number = numbered ? primitive.number : 0};
     }
+    void sweep_begin(int row) {
+        at_ = {.id = at_.id, .pixel = {0, row}};
+        ordinals_ = {};
+    }
+    void pixel_begin(PixelPos pixel) {
+        at_ = {.id = at_.id, .pixel = pixel};
+        ordinals_ = {};
+    }
+    template <typename State>
+    void sweep_step(const visibility::SweepEvent& event, const State&) {
+        const PixelPos place = at_.pixel;
+        if (event.polygon >= 0) {
+            shown(recording_.order.sweep->polygon(event.polygon));
+        }
+        at_.of_polygon = event.polygon >= 0;
+        at_.sweep = event.kind;
+        at_.ordinal = ordinals_[static_cast<std::size_t>(event.kind)]++;
+        at_.pixel.x =
+            event.kind == visibility::SweepEventKind::depth ? static_cast<int>(event.x) : place.x;
+        add(StepKind::sweep);
+        at_ = {.id = at_.id, .unit = at_.unit, .pixel = place};
+    }
+    void shown(const pipeline::PieceName& shown) {
+        at_ = {
+            .id = at_.id,
+            .object = shown.object,
+            .triangle = shown.triangle,
+            .clipped = shown.clipped,
+            .piece = shown.piece,
+            .unit = at_.unit,
+            .pixel = at_.pixel};
+    }
     void part_begin(int first_piece) {
         at_.part = true;
         at_.piece = first_piece;
@@ -172,6 +204,8 @@ private:
     bool listening_;
     Step at_;
     raster::Cost spent_;
+    std::array<std::uint32_t, visibility::sweep_event_kind_count>
+        ordinals_{}; ///< in the row or ray
 };
 static_assert(pipeline::TraceSink<OutlineTrace>);
 static_assert(framebuffer::PixelTarget<PastPixels>);

@@ -156,6 +156,9 @@ Counters Player::counters() const {
                                                                 previous != StepKind::closed_test &&
                                                                 previous != StepKind::depth_test;
         count_step(counters, s.kind, !s.fatal, first);
+        if (s.kind == StepKind::sweep) {
+            ++counters.sweeps[static_cast<std::size_t>(s.sweep)];
+        }
         previous = s.kind;
     }
     return counters;

@@ -77,7 +77,7 @@ const PieceDetail* piece_of(const TriangleDetail& triangle, const Step& step) {
 std::optional<QuadDetail>
 quad_detail(const Recording& recording, const TriangleDetail& triangle, const Step& step) {
     const PieceDetail* piece = piece_of(triangle, step);
-    if (piece == nullptr || !step.has_pixel()) {
+    if (piece == nullptr || !step.has_pixel() || recording.in_row(step.id)) {
         return std::nullopt;
     }
     const pipeline::DrawCall& call = recording.frame->calls()[step.object];
@@ -103,7 +103,7 @@ HelperPixels helper_pixels(
 ) {
     HelperPixels result;
     const PieceDetail* piece = piece_of(triangle, step);
-    if (piece == nullptr) {
+    if (piece == nullptr || recording.in_row(step.id)) {
         return result;
     }
     const Covers covers(recording.frame->calls()[step.object], *piece->setup);

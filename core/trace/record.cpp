@@ -104,6 +104,33 @@ public:
         recording_.decisions.add(event);
     }
 
+    void sweep_begin(int) {
+        if (recording_.first_sweep_step == 0) {
+            recording_.first_sweep_step = step_;
+        }
+        draw_ = static_cast<std::uint32_t>(recording_.draw_steps.size());
+        piece_ = 0;
+        recording_.draw_steps.push_back(step_);
+        begin_draw();
+    }
+    void pixel_begin(PixelPos) { piece_ = 0; } // where a re-run may begin
+    template <typename State>
+    void sweep_step(const visibility::SweepEvent& event, const State&) {
+        step(StepKind::sweep);
+        ++counters_.sweeps[static_cast<std::size_t>(event.kind)];
+    }
+    void shown(const pipeline::PieceName& shown) {
+        object_ = shown.object;
+        frame_triangle_ = recording_.objects[shown.object].first_triangle + shown.triangle;
+        piece_ = shown.piece;
+        depth_format_ = recording_.frame->calls()[object_].settings.depth_format;
+        run_open_ = false;
+        geometry::TriangleVerdict& verdict = recording_.triangles[frame_triangle_].verdict;
+        if (verdict == geometry::TriangleVerdict::unseen) {
+            verdict = geometry::TriangleVerdict::drawn;
+        }
+    }
+
     void triangle_begin(std::uint32_t object, std::uint32_t triangle) {
         if (object != object_) {
             keep_between_objects();
@@ -119,9 +146,7 @@ public:
         TriangleRecord& record = recording_.triangles[frame_triangle_];
         record.last_draw = draw_;
         record.first_step = record.first_step == 0 ? step_ : record.first_step;
-        if (recording_.index.empty() || step_ - recording_.index.back().step >= index_spacing) {
-            add_index_entry(-1);
-        }
+        begin_draw();
     }
     void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) { step(StepKind::outcodes); }
@@ -244,7 +269,12 @@ public:
     void resolved(PixelPos, const framebuffer::PixelSamples&, const framebuffer::SampleValue&) {
         step(StepKind::resolve);
     }
-    void triangles_end() { recording_.first_resolve_step = step_; }
+    void triangles_end() {
+        recording_.first_resolve_step = step_;
+        if (recording_.first_sweep_step == 0) {
+            recording_.first_sweep_step = step_;
+        }
+    }
     void frame_end() {
         recording_.end_step = step_;
         recording_.counters = counters_;
@@ -254,6 +284,12 @@ private:
     void step(StepKind kind, bool passed = true, bool first = false) {
         ++step_;
         count_step(counters_, kind, passed, first);
+    }
+
+    void begin_draw() {
+        if (recording_.index.empty() || step_ - recording_.index.back().step >= index_spacing) {
+            add_index_entry(-1);
+        }
     }
 
     void add_index_entry(int unit) {
@@ -320,6 +356,7 @@ private:
 };
 static_assert(pipeline::TraceSink<FactsTrace>);
 static_assert(pipeline::AnyOrderSink<FactsTrace>);
+static_assert(pipeline::AnySweepSink<FactsTrace>);
 static_assert(framebuffer::PixelTarget<RecordedPixels>);
 static_assert(framebuffer::SampleTarget<RecordedPixels>);
 

@@ -1,6 +1,7 @@
 #include "core/trace/recording.hpp"
 
 #include "core/base/hash.hpp"
+#include "core/pipeline/sweep.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,13 @@ std::uint32_t Recording::draw_of_step(StepId step) const {
     return static_cast<std::uint32_t>(after - draw_steps.begin()) - 1;
 }
 
+std::uint32_t Recording::first_row_draw() const {
+    const auto triangles_first = [](const pipeline::Draw& draw) { return draw.row < 0; };
+    const auto first =
+        std::partition_point(order.draws.begin(), order.draws.end(), triangles_first);
+    return static_cast<std::uint32_t>(first - order.draws.begin());
+}
+
 const Run& Recording::run_of_fragment(std::uint32_t fragment) const {
     HS_DCHECK(fragment < fragments.size(), "a fragment of this frame");
     const auto after =
@@ -55,6 +63,7 @@ std::size_t Recording::bytes() const {
     total += order.draws.capacity() * (sizeof(pipeline::Draw) + sizeof(StepId));
     total += order.parts.capacity() * sizeof(pipeline::TrianglePart);
     total += order.polygons.capacity() * sizeof(pipeline::OrderedPolygon);
+    total += order.sweep ? order.sweep->bytes() : 0;
     total += decisions.size() == 0 ? 0 : decisions.bytes();
     total += runs.capacity() * sizeof(Run) + index.capacity() * sizeof(IndexEntry);
     std::vector<const PixelBuffer*> buffers{&final_pixels};

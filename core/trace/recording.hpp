@@ -55,10 +55,14 @@ struct Run {
     std::uint16_t piece = 0;
 };
 
+/// How many decisions of scanlines or rays, of each kind.
+using SweepCounts = std::array<std::uint64_t, visibility::sweep_event_kind_count>;
+
 /// What has happened up to a step.
 struct Counters {
     std::uint64_t vertices = 0;      ///< through the vertex stage
     OrderCounts decisions{};         ///< of the ordering algorithm, by kind
+    SweepCounts sweeps{};            ///< decisions of scanlines and rays, by kind
     std::uint64_t triangles = 0;     ///< that entered clipping, or parts of split ones
     std::uint64_t clipped = 0;       ///< of those, crossing at least one plane
     std::uint64_t pieces = 0;        ///< triangles after clipping, divided
@@ -128,7 +132,8 @@ struct Recording {
     Counters counters;              ///< of the whole frame
     StepId first_order_step = 0;    ///< the step after the vertex stage
     StepId first_triangle_step = 0; ///< the step after the ordering, which may have none
-    StepId first_resolve_step = 0;  ///< the step after the last triangle's: a resolve, or `end`
+    StepId first_sweep_step = 0;    ///< the step after the last triangle's: of a row, or as below
+    StepId first_resolve_step = 0;  ///< the step after the last row's: a resolve, or `end`
     StepId end_step = 0;            ///< the number of the last step, `end`
     double seconds = 0.0;           ///< how long recording took, for the introspection panel
 
@@ -149,6 +154,17 @@ struct Recording {
     [[nodiscard]] std::vector<std::uint32_t> draws_of_triangle(std::uint32_t triangle) const;
     /// The draw a step of the triangle stages belongs to.
     [[nodiscard]] std::uint32_t draw_of_step(StepId step) const;
+    /// The first draw that is a row of the image; as many as there are draws if none is.
+    [[nodiscard]] std::uint32_t first_row_draw() const;
+    /// Precondition: the row is drawn as a whole.
+    [[nodiscard]] std::uint32_t draw_of_row(int row) const {
+        const std::uint32_t first = first_row_draw();
+        return first + static_cast<std::uint32_t>(row - order.draws[first].row);
+    }
+    /// Whether a step belongs to a row of the image that is drawn as a whole.
+    [[nodiscard]] bool in_row(StepId step) const {
+        return step >= first_sweep_step && step < first_resolve_step;
+    }
     /// The run a fragment belongs to.
     [[nodiscard]] const Run& run_of_fragment(std::uint32_t fragment) const;
     /// What the facts take in memory, without scene and shaded vertices.

@@ -7,7 +7,7 @@ namespace hs {
 template <>
 std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
     using trace::StepKind;
-    static constexpr std::array<Named<StepKind>, 28> table{{
+    static constexpr std::array<Named<StepKind>, 29> table{{
         {StepKind::start, "start", "the framebuffer is cleared"},
         {StepKind::vertex_world, "world", "the model matrix takes the vertex to world space"},
         {StepKind::vertex_eye, "eye", "the view matrix takes the vertex to eye space"},
@@ -16,6 +16,7 @@ std::span<const Named<trace::StepKind>> names<trace::StepKind>() {
          "the projection matrix takes the vertex to clip space"},
         {StepKind::vertex_light, "light", "the vertex is lit"},
         {StepKind::order, "order", "an ordering algorithm decides something about two polygons"},
+        {StepKind::sweep, "sweep", "a scanline or a ray decides what is visible"},
         {StepKind::outcodes, "outcodes", "each vertex is held against every clip plane"},
         {StepKind::clip_plane, "clip", "the polygon is cut by one plane"},
         {StepKind::divide, "divide", "clip coordinates are divided by w"},
@@ -62,7 +63,7 @@ std::span<const Named<trace::Stage>> names<trace::Stage>() {
         {Stage::vertex, "vertex", "every vertex goes from object space to clip space"},
         {Stage::visibility,
          "visibility",
-         "triangles are put into the order in which they are drawn"},
+         "triangles are put in order, or pixels find the nearest of them"},
         {Stage::clip, "clip", "triangles are cut at the view volume"},
         {Stage::divide, "divide", "clip coordinates are divided by w"},
         {Stage::viewport, "viewport", "NDC become snapped window coordinates"},
@@ -80,15 +81,20 @@ template <>
 std::span<const Named<trace::Granularity>> names<trace::Granularity>() {
     using trace::Granularity;
     static constexpr std::array<Named<Granularity>, 6> table{{
-        {Granularity::stage, "stage", "all vertices, then their order, then all triangles"},
+        {Granularity::stage,
+         "stage",
+         "all vertices, then their order, then all triangles, then all scanlines or rays"},
         {Granularity::object, "object", "one object's vertices, or its triangles"},
         {Granularity::triangle,
          "triangle",
-         "one triangle (in the vertex stage: one vertex; in ordering: the next in the order)"},
+         "one triangle (in the vertex stage: one vertex; in ordering: the next in the order; with "
+         "scanlines or rays: one row)"},
         {Granularity::scanline,
          "scanline",
          "one row of a triangle's traversal, or one tile (in ordering: one iteration)"},
-        {Granularity::fragment, "fragment", "one fragment from interpolation to its fate"},
+        {Granularity::fragment,
+         "fragment",
+         "one fragment from interpolation to its fate (with rays: one pixel)"},
         {Granularity::operation, "operation", "one step"},
     }};
     return table;
@@ -105,7 +111,8 @@ Stage stage_of(StepKind kind) {
     case StepKind::vertex_eye:
     case StepKind::vertex_clip:
     case StepKind::vertex_light: return Stage::vertex;
-    case StepKind::order: return Stage::visibility;
+    case StepKind::order:
+    case StepKind::sweep: return Stage::visibility;
     case StepKind::outcodes:
     case StepKind::clip_plane: return Stage::clip;
     case StepKind::divide: return Stage::divide;
@@ -138,6 +145,28 @@ std::string primitive_name(const Step& step) {
     return fmt::format("{} {}", name_of(step.primitive), triangle ? step.triangle : step.number);
 }
 
+namespace {
+
+/// "scanline 12 / edge 3", "scanline 12 / object 0 / triangle 3 / pixel 31,12 / depth",
+/// "pixel 31,12 / object 0 / triangle 3 / meeting".
+std::string sweep_path(const Step& step) {
+    const bool ray = step.sweep >= visibility::SweepEventKind::cast;
+    const std::string pixel = fmt::format("pixel {},{}", step.pixel.x, step.pixel.y);
+    std::string path = ray ? pixel : fmt::format("scanline {}", step.pixel.y);
+    const bool by_triangle = step.of_polygon && step.sweep >= visibility::SweepEventKind::clear;
+    if (by_triangle) {
+        path += fmt::format(" / object {} / triangle {}", step.object, step.triangle);
+        path += step.clipped ? fmt::format(" piece {}", step.piece) : std::string{};
+    }
+    path += step.sweep == visibility::SweepEventKind::depth ? " / " + pixel : std::string{};
+    path += fmt::format(" / {}", name_of(step.sweep));
+    const bool alone = by_triangle || ray || step.sweep == visibility::SweepEventKind::clear ||
+                       step.sweep == visibility::SweepEventKind::active_edges;
+    return alone ? path : path + fmt::format(" {}", step.ordinal);
+}
+
+} // namespace
+
 std::string step_path(const Step& step) {
     const std::string_view operation = name_of(step.kind);
     if (step.kind == StepKind::start || step.kind == StepKind::end) {
@@ -153,6 +182,10 @@ std::string step_path(const Step& step) {
     }
     if (step.kind == StepKind::order) {
         return fmt::format("visibility / {} {}", name_of(step.decision), step.ordinal);
+    }
+
+    if (step.kind == StepKind::sweep) {
+        return sweep_path(step);
     }
 
     std::string path = fmt::format("object {} / {}", step.object, primitive_name(step));

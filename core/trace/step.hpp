@@ -10,6 +10,7 @@
 #include "core/geometry/clip_volume.hpp"
 #include "core/scene/mesh.hpp"
 #include "core/visibility/order_names.hpp"
+#include "core/visibility/sweep_trace.hpp"
 
 #include <cstdint>
 #include <string>
@@ -25,6 +26,7 @@ enum class StepKind : std::uint8_t {
     vertex_clip,
     vertex_light,
     order,
+    sweep,
     outcodes,
     clip_plane,
     divide,
@@ -86,8 +88,10 @@ struct Step {
     std::uint32_t object = 0;
     std::uint32_t vertex = 0; ///< vertex kinds: index into the object's mesh
     visibility::OrderEventKind decision = visibility::OrderEventKind::compare; ///< order
-    std::uint32_t event = 0;    ///< order: index into the recording's decisions
-    std::uint32_t ordinal = 0;  ///< order: how many of its kind came before
+    std::uint32_t event = 0; ///< order: index into the recording's decisions
+    visibility::SweepEventKind sweep = visibility::SweepEventKind::active_edges; ///< sweep
+    std::uint32_t ordinal = 0; ///< order: how many of its kind came before; sweep: in its scanline
+    bool of_polygon = false;   ///< sweep: about one triangle, or about two of which it is the first
     std::uint32_t triangle = 0; ///< outcodes and later: index into the object's primitives
     scene::PrimitiveKind primitive = scene::PrimitiveKind::triangle;
     std::uint32_t number = 0; ///< of lines and points: among the object's lines or points
@@ -96,8 +100,8 @@ struct Step {
     std::int32_t piece = 0; ///< divide and later; of a part already before
     std::int32_t unit = 0;  ///< tile test and later: unit of the traversal
     geometry::ClipPlane plane = geometry::ClipPlane::near; ///< clip_plane
-    PixelPos
-        pixel{}; ///< edge test and later, resolve; of a tile its first pixel, of a scanline its row
+    PixelPos pixel{}; ///< edge test and later, resolve; of a tile its first pixel, of a scanline
+                      ///< its row; sweep: of a ray or a line of depths, else the row
     std::int32_t tile_size = 0; ///< tile_test: pixels a side
     std::int32_t sample = -1;   ///< of a pixel with several: sample test, its depth test, all of a
                                 ///< fragment that stands for one sample, and of scan conversion
@@ -112,6 +116,12 @@ struct Step {
     }
     [[nodiscard]] bool in_triangle() const {
         return kind >= StepKind::outcodes && kind <= StepKind::merge;
+    }
+    /// A decision about a pixel, not about a whole scanline.
+    [[nodiscard]] bool sweeps_pixel() const {
+        using visibility::SweepEventKind;
+        return kind == StepKind::sweep &&
+               (sweep == SweepEventKind::depth || sweep >= SweepEventKind::cast);
     }
     [[nodiscard]] bool has_piece() const {
         return in_triangle() && (part || kind >= StepKind::divide);

@@ -15,6 +15,7 @@ inline void count_step(Counters& counters, StepKind kind, bool passed, bool firs
     case StepKind::resolve:
     case StepKind::end:
     case StepKind::order: // counted by kind of decision
+    case StepKind::sweep: // likewise
     case StepKind::vertex_eye:
     case StepKind::vertex_clip:
     case StepKind::vertex_light: break;

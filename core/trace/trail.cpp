@@ -8,7 +8,7 @@ namespace hs::trace {
 namespace {
 
 /// Writes down what the traversal of the step's piece says until the step has happened.
-class TrailTrace : public raster::SilentTraversal {
+class TrailTrace : public raster::SilentTraversal, public visibility::SilentSweep {
 public:
     TrailTrace(Trail& trail, const Step& step) : trail_(trail), step_(step) {}
 
@@ -25,6 +25,9 @@ public:
     void set_up(const raster::TriangleSetup&) {}
     void planes_set_up(const raster::HomogeneousSetup&) {}
     void line_set_up(const raster::LineSetup&) {}
+    void sweep_begin(int) {}
+    void pixel_begin(PixelPos) {}
+    void shown(const pipeline::PieceName&) {}
 
     void line_stepped(const raster::LineStep& line) {
         visit(line.pixel, true, StepKind::line_step);
@@ -126,7 +129,7 @@ std::size_t pixels_ahead(const Recording& recording, const Step& step) {
 
 Trail trail(const Recording& recording, const Step& step, std::size_t most_pixels) {
     Trail result;
-    if (!step.in_unit()) {
+    if (!step.in_unit() || recording.in_row(step.id)) {
         return result;
     }
     result.whole = pixels_ahead(recording, step) <= most_pixels;

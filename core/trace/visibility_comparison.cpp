@@ -15,13 +15,68 @@ record_with(const scene::Scene& scene, scene::Visibility visibility) {
     return record(variant);
 }
 
+/// Whether a decision holds two things against each other; the rest move and mark.
+bool is_question(visibility::OrderEventKind kind) {
+    using visibility::OrderEventKind;
+    switch (kind) {
+    case OrderEventKind::compare:
+    case OrderEventKind::overlap:
+    case OrderEventKind::nearer:
+    case OrderEventKind::test:
+    case OrderEventKind::exchanged_test:
+    case OrderEventKind::classify:
+    case OrderEventKind::enter_node:
+    case OrderEventKind::in_front: return true;
+    case OrderEventKind::move:
+    case OrderEventKind::emit:
+    case OrderEventKind::list_in_front:
+    case OrderEventKind::iteration:
+    case OrderEventKind::count_down:
+    case OrderEventKind::stuck:
+    case OrderEventKind::take_farthest:
+    case OrderEventKind::draw_anyway:
+    case OrderEventKind::split:
+    case OrderEventKind::candidate: // its questions are not told one by one
+    case OrderEventKind::make_node:
+    case OrderEventKind::visit_side:
+    case OrderEventKind::make_cell:
+    case OrderEventKind::enter_cell:
+    case OrderEventKind::undecided: return false;
+    }
+    HS_CHECK(false, "every kind is handled");
+    return false;
+}
+
+bool is_question(visibility::SweepEventKind kind) {
+    using visibility::SweepEventKind;
+    return kind == SweepEventKind::compare || kind == SweepEventKind::depth ||
+           kind == SweepEventKind::meet || kind == SweepEventKind::keep;
+}
+
+template <typename Kind, typename Counts>
+std::uint64_t questions_of(const Counts& counts) {
+    std::uint64_t sum = 0;
+    for (const Named<Kind>& kind : names<Kind>()) {
+        sum += is_question(kind.value) ? counts[static_cast<std::size_t>(kind.value)] : 0U;
+    }
+    return sum;
+}
+
 VisibilityOutcome
 outcome_of(scene::Visibility visibility, const Recording& recording, const Recording& reference) {
     VisibilityOutcome outcome{.visibility = visibility, .refusal = {}};
     const Counters& counters = recording.counters;
     outcome.decisions = counters.decisions;
+    outcome.sweeps = counters.sweeps;
+    const std::uint64_t swept =
+        std::accumulate(counters.sweeps.begin(), counters.sweeps.end(), std::uint64_t{0});
     outcome.decision_count =
-        std::accumulate(counters.decisions.begin(), counters.decisions.end(), std::uint64_t{0});
+        std::accumulate(counters.decisions.begin(), counters.decisions.end(), swept);
+    outcome.questions =
+        questions_of<visibility::OrderEventKind>(counters.decisions) +
+        questions_of<visibility::SweepEventKind>(counters.sweeps) +
+        (visibility == scene::Visibility::z_buffer ? counters.fragments_tested : 0U);
+    outcome.cuts = counters.decisions[static_cast<std::size_t>(visibility::OrderEventKind::split)];
     outcome.parts = recording.order.parts.size();
     outcome.fragments = counters.fragments;
     outcome.written = counters.fates[static_cast<std::size_t>(fragment::FragmentFate::written)];

@@ -23,7 +23,11 @@ struct VisibilityOutcome {
     scene::Visibility visibility = scene::Visibility::none;
     std::string refusal; ///< why it cannot draw this scene; then nothing else is known
     OrderCounts decisions{};
+    SweepCounts sweeps{};
     std::uint64_t decision_count = 0;
+    std::uint64_t questions = 0; ///< of those, where two things were held against each other: keys,
+                                 ///< polygons and planes, depths, a ray and a triangle; depth tests
+    std::uint64_t cuts = 0;
     std::uint64_t parts = 0; ///< triangles made by cutting
     std::uint64_t fragments = 0;
     std::uint64_t written = 0;

@@ -22,16 +22,18 @@ Ray ray_through(
     return {origin, world(depths.far) - origin};
 }
 
-RayMeeting meet(const Ray& ray, const RayTriangle& triangle) {
+glm::dvec3 ray_volumes(const Ray& ray, const RayTriangle& triangle) {
     const glm::dvec3 a = triangle[0] - ray.origin;
     const glm::dvec3 b = triangle[1] - ray.origin;
     const glm::dvec3 c = triangle[2] - ray.origin;
-
-    // Volumes of the ray with each edge: all of one sign iff it passes between them
-    const glm::dvec3 volumes{
+    return {
         glm::dot(ray.direction, glm::cross(b, c)),
         glm::dot(ray.direction, glm::cross(c, a)),
         glm::dot(ray.direction, glm::cross(a, b))};
+}
+
+RayMeeting meet(const Ray& ray, const RayTriangle& triangle) {
+    const glm::dvec3 volumes = ray_volumes(ray, triangle);
     const double all = volumes.x + volumes.y + volumes.z;
     if (all == 0.0) {
         return {};
@@ -39,7 +41,9 @@ RayMeeting meet(const Ray& ray, const RayTriangle& triangle) {
     const bool inside = (volumes.x >= 0.0 && volumes.y >= 0.0 && volumes.z >= 0.0) ||
                         (volumes.x <= 0.0 && volumes.y <= 0.0 && volumes.z <= 0.0);
     const glm::dvec3 weights = volumes / all;
-    const glm::dvec3 at = weights.x * a + weights.y * b + weights.z * c;
+    const glm::dvec3 at = weights.x * (triangle[0] - ray.origin) +
+                          weights.y * (triangle[1] - ray.origin) +
+                          weights.z * (triangle[2] - ray.origin);
     return {
         .hit = inside,
         .t = glm::dot(at, ray.direction) / glm::dot(ray.direction, ray.direction),

@@ -5,11 +5,12 @@
 // compute the volume of a shared edge with opposite sign to the bit, so no ray slips between them.
 #pragma once
 
+#include "core/visibility/sweep_trace.hpp"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <array>
-#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -45,38 +46,17 @@ struct RayMeeting {
     glm::dvec3 weights{0.0}; ///< of the vertices where it meets: negative outside
 };
 
+/// Volumes of the ray with each edge, that of a vertex with the edge opposite: all of one sign iff
+/// it passes between them.
+[[nodiscard]] glm::dvec3 ray_volumes(const Ray& ray, const RayTriangle& triangle);
+
 /// Both sides are hit; edges belong to the triangle. A triangle seen edge-on is not hit.
 [[nodiscard]] RayMeeting meet(const Ray& ray, const RayTriangle& triangle);
-
-enum class RayEventKind : std::uint8_t {
-    cast, ///< the ray sets out
-    meet, ///< `meeting` with `triangle`. Verdict: hit between the near and the far plane
-    keep  ///< is this hit nearer than the one kept (`other`, at `other_t`)?
-};
-
-struct RayEvent {
-    RayEventKind kind = RayEventKind::cast;
-    bool verdict = false;
-    std::int32_t triangle = -1;
-    std::int32_t other = -1;
-    double other_t = 0.0;
-    RayMeeting meeting{};
-};
 
 struct RayCast {
     Ray ray;
     std::int32_t nearest = -1; ///< of the triangles asked so far; −1: none
     RayMeeting meeting{};      ///< with the nearest
-};
-
-/// Takes the story; never steers.
-template <typename Sink>
-concept RaySink = requires(Sink sink, const RayEvent& event, const RayCast& state) {
-    { sink.ray_step(event, state) } -> std::same_as<void>;
-};
-
-struct SilentRay {
-    void ray_step(const RayEvent&, const RayCast&) {}
 };
 
 /// Questions for a whole picture.
@@ -85,27 +65,32 @@ struct SilentRay {
 }
 
 /// One pixel's ray. Of equally near triangles the first stays.
-template <RaySink Sink>
+template <SweepSink<RayCast> Sink>
 [[nodiscard]] RayCast cast_ray(const Ray& ray, std::span<const RayTriangle> triangles, Sink& sink) {
     RayCast cast{.ray = ray};
-    sink.ray_step({.kind = RayEventKind::cast}, cast);
+    sink.sweep_step({.kind = SweepEventKind::cast}, cast);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        RayEvent event{.kind = RayEventKind::meet, .triangle = static_cast<std::int32_t>(i)};
-        event.meeting = meet(ray, triangles[i]);
-        event.verdict = event.meeting.hit && event.meeting.t >= 0.0 && event.meeting.t <= 1.0;
-        sink.ray_step(event, cast);
+        const RayMeeting meeting = meet(ray, triangles[i]);
+        SweepEvent event{
+            .kind = SweepEventKind::meet,
+            .verdict = meeting.hit && meeting.t >= 0.0 && meeting.t <= 1.0,
+            .polygon = static_cast<std::int32_t>(i),
+            .value = meeting.t,
+            .weights = meeting.weights};
+        sink.sweep_step(event, cast);
         if (!event.verdict) {
             continue;
         }
-        event.kind = RayEventKind::keep;
+        event.kind = SweepEventKind::keep;
         event.other = cast.nearest;
-        event.other_t = cast.nearest < 0 ? std::numeric_limits<double>::infinity() : cast.meeting.t;
-        event.verdict = event.meeting.t < event.other_t;
+        event.other_value =
+            cast.nearest < 0 ? std::numeric_limits<double>::infinity() : cast.meeting.t;
+        event.verdict = event.value < event.other_value;
         if (event.verdict) {
-            cast.nearest = event.triangle;
-            cast.meeting = event.meeting;
+            cast.nearest = event.polygon;
+            cast.meeting = meeting;
         }
-        sink.ray_step(event, cast);
+        sink.sweep_step(event, cast);
     }
     return cast;
 }

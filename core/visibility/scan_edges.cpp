@@ -20,6 +20,18 @@ int first_scanline(double y, int low, int high) {
                                     : static_cast<int>(std::ceil(y - 0.5));
 }
 
+void enter(ScanEdgeTable& table, const ScanEdge& edge) {
+    const auto number = static_cast<std::int32_t>(table.edges.size());
+    const auto place = [&table](int row) {
+        return static_cast<std::size_t>(row - table.first_row);
+    };
+    table.buckets[place(edge.first_row)].push_back(number);
+    for (int row = edge.first_row; row < edge.end_row; ++row) {
+        table.crossing[place(row)].push_back(number);
+    }
+    table.edges.push_back(edge);
+}
+
 } // namespace
 
 int first_pixel(double x) {
@@ -34,6 +46,7 @@ ScanEdgeTable scan_edge_table(std::span<const WindowPolygon> polygons, int first
     ScanEdgeTable table;
     table.first_row = first_row;
     table.buckets.resize(static_cast<std::size_t>(std::max(end_row - first_row, 0)));
+    table.crossing.resize(table.buckets.size());
     for (std::size_t p = 0; p < polygons.size(); ++p) {
         const auto& corners = polygons[p].corners;
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -48,9 +61,7 @@ ScanEdgeTable scan_edge_table(std::span<const WindowPolygon> polygons, int first
             edge.first_row = first_scanline(edge.top.y, first_row, end_row);
             edge.end_row = first_scanline(edge.bottom.y, first_row, end_row);
             if (edge.first_row < edge.end_row) {
-                const auto bucket = static_cast<std::size_t>(edge.first_row - first_row);
-                table.buckets[bucket].push_back(static_cast<std::int32_t>(table.edges.size()));
-                table.edges.push_back(edge);
+                enter(table, edge);
             }
         }
     }
@@ -62,22 +73,28 @@ void sort_active(const ScanEdgeTable& table, std::vector<ActiveScanEdge>& active
         if (a.x != b.x) {
             return a.x < b.x;
         }
-        const double slope_a = slope(table.edges[static_cast<std::size_t>(a.edge)]);
-        const double slope_b = slope(table.edges[static_cast<std::size_t>(b.edge)]);
+        const double slope_a = slope(table.edge(a.edge));
+        const double slope_b = slope(table.edge(b.edge));
         return slope_a != slope_b ? slope_a < slope_b : a.edge < b.edge;
     });
 }
 
-void update_active(const ScanEdgeTable& table, int row, std::vector<ActiveScanEdge>& active) {
-    const auto edge_of = [&](const ActiveScanEdge& a) -> const ScanEdge& {
-        return table.edges[static_cast<std::size_t>(a.edge)];
-    };
-    std::erase_if(active, [&](const ActiveScanEdge& a) { return edge_of(a).end_row <= row; });
-    for (const std::int32_t edge : table.buckets[static_cast<std::size_t>(row - table.first_row)]) {
+std::vector<ActiveScanEdge> active_edges(const ScanEdgeTable& table, int row) {
+    std::vector<ActiveScanEdge> active;
+    if (row < table.first_row || row >= table.end_row()) {
+        return active;
+    }
+    for (const std::int32_t edge :
+         table.crossing[static_cast<std::size_t>(row - table.first_row)]) {
         active.push_back({edge, 0.0});
     }
+    move_active(table, row, active);
+    return active;
+}
+
+void move_active(const ScanEdgeTable& table, int row, std::vector<ActiveScanEdge>& active) {
     for (ActiveScanEdge& a : active) {
-        a.x = crossing(edge_of(a), row);
+        a.x = crossing(table.edge(a.edge), row);
     }
     sort_active(table, active);
 }

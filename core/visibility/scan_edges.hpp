@@ -26,11 +26,22 @@ struct ScanEdge {
     int end_row = 0;   ///< the first below that it does not cross
 };
 
-/// Edges of all polygons in buckets by the first scanline they cross.
+/// Edges of all polygons, those that cross no scanline left out.
 struct ScanEdgeTable {
     std::vector<ScanEdge> edges;
-    int first_row = 0; ///< of the image; what begins above is in its bucket
-    std::vector<std::vector<std::int32_t>> buckets; ///< one per row
+    int first_row = 0; ///< of the image; what begins above begins there
+    /// Edges in buckets by the first scanline they cross, one per row.
+    std::vector<std::vector<std::int32_t>> buckets;
+    /// All edges that cross a scanline, one list per row: with them any row can be the first.
+    std::vector<std::vector<std::int32_t>> crossing;
+
+    [[nodiscard]] const ScanEdge& edge(std::int32_t i) const {
+        return edges[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] const std::vector<std::int32_t>& bucket(int row) const {
+        return buckets[static_cast<std::size_t>(row - first_row)];
+    }
+    [[nodiscard]] int end_row() const { return first_row + static_cast<int>(buckets.size()); }
 };
 
 /// An edge that crosses the current scanline, at `x`.
@@ -52,12 +63,16 @@ struct ActiveScanEdge {
 [[nodiscard]] ScanEdgeTable
 scan_edge_table(std::span<const WindowPolygon> polygons, int first_row, int end_row);
 
+/// x of an edge on the scanline of a row.
 [[nodiscard]] double crossing(const ScanEdge& edge, int row);
 
 /// From left to right; where edges meet, by slope, then by polygon.
 void sort_active(const ScanEdgeTable& table, std::vector<ActiveScanEdge>& active);
 
-/// Drops the edges that have ended, moves the others to `row`, enters its bucket, sorts.
-void update_active(const ScanEdgeTable& table, int row, std::vector<ActiveScanEdge>& active);
+/// The active edges of a row, sorted; none where the image does not have it.
+[[nodiscard]] std::vector<ActiveScanEdge> active_edges(const ScanEdgeTable& table, int row);
+
+/// Moves all to `row`, then sorts.
+void move_active(const ScanEdgeTable& table, int row, std::vector<ActiveScanEdge>& active);
 
 } // namespace hs::visibility

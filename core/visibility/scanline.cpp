@@ -2,16 +2,24 @@
 
 namespace hs::visibility {
 
-ScanState begin_scan(std::vector<WindowPolygon> polygons, int first_row, int end_row) {
-    ScanState state;
+std::shared_ptr<const ScanScene>
+scan_scene(std::vector<WindowPolygon> polygons, int first_row, int end_row) {
+    auto scene = std::make_shared<ScanScene>();
     const glm::dvec3 extent = reach(std::span<const WindowPolygon>{polygons});
     for (const WindowPolygon& polygon : polygons) {
-        state.planes.push_back(plane_of(polygon, extent));
+        scene->planes.push_back(plane_of(polygon, extent));
     }
-    state.table = scan_edge_table(polygons, first_row, end_row);
-    state.row = first_row;
-    state.in.resize(polygons.size());
-    state.polygons = std::move(polygons);
+    scene->table = scan_edge_table(polygons, first_row, end_row);
+    scene->polygons = std::move(polygons);
+    return scene;
+}
+
+ScanState begin_row(std::shared_ptr<const ScanScene> scene, int row) {
+    ScanState state;
+    state.row = row;
+    state.active = active_edges(scene->table, row - 1);
+    state.in.resize(scene->polygons.size());
+    state.scene = std::move(scene);
     return state;
 }
 
@@ -28,7 +36,7 @@ bool turn_flag(ScanState& state, std::int32_t polygon) {
 }
 
 double scan_depth(const ScanState& state, std::int32_t polygon, double x) {
-    return depth_at(state.planes[static_cast<std::size_t>(polygon)], x, scanline(state.row))
+    return depth_at(state.scene->planes[static_cast<std::size_t>(polygon)], x, scanline(state.row))
         .value_or(std::numeric_limits<double>::infinity());
 }
 

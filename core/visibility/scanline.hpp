@@ -7,56 +7,32 @@
 #pragma once
 
 #include "core/visibility/scan_edges.hpp"
+#include "core/visibility/sweep_trace.hpp"
 
 #include <algorithm>
-#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace hs::visibility {
 
-enum class ScanEventKind : std::uint8_t {
-    active_edges, ///< the active edges of `row`
-    cross,        ///< `edge` at `x`: its `polygon` is entered (verdict) or left
-    compare,      ///< at `x`, is `polygon` (depth `value`) in front of `other` (`other_value`)?
-    false_edge,   ///< at `x`, inside both, `polygon` comes through `other`
-    span          ///< `polygon` (−1: the background) is visible from `x` to `x_end`
-};
-
-struct ScanEvent {
-    ScanEventKind kind = ScanEventKind::active_edges;
-    bool verdict = false;
-    int row = 0;
-    std::int32_t edge = -1;
-    std::int32_t polygon = -1;
-    std::int32_t other = -1;
-    double x = 0.0;
-    double x_end = 0.0;
-    double value = 0.0;
-    double other_value = 0.0;
-};
-
-struct ScanState {
+/// What every scanline has in common.
+struct ScanScene {
     std::vector<WindowPolygon> polygons;
     std::vector<WindowPlane> planes;
     ScanEdgeTable table;
+};
+
+/// One scanline being scanned.
+struct ScanState {
+    std::shared_ptr<const ScanScene> scene;
     int row = 0;
     std::vector<ActiveScanEdge> active;
     std::vector<bool> in;             ///< the polygon table's flags: the scanline is inside it
     std::vector<std::int32_t> inside; ///< polygons whose flag is up, in file order
-};
-
-/// Takes the story; never steers. `State` as with `OrderSink`.
-template <typename Sink, typename State>
-concept ScanSink = requires(Sink sink, const ScanEvent& event, const State& state) {
-    { sink.scan_step(event, state) } -> std::same_as<void>;
-};
-
-struct SilentScan {
-    template <typename State>
-    void scan_step(const ScanEvent&, const State&) {}
 };
 
 /// A stretch of a scanline and the polygon visible on it.
@@ -67,7 +43,12 @@ struct ScanSpan {
     double x_end = 0.0;
 };
 
-[[nodiscard]] ScanState begin_scan(std::vector<WindowPolygon> polygons, int first_row, int end_row);
+/// Rows `first_row` … `end_row` − 1 of the image.
+[[nodiscard]] std::shared_ptr<const ScanScene>
+scan_scene(std::vector<WindowPolygon> polygons, int first_row, int end_row);
+
+/// Before a scanline: the active edges are those of the scanline above, all flags are down.
+[[nodiscard]] ScanState begin_row(std::shared_ptr<const ScanScene> scene, int row);
 
 /// Turns the flag of an edge's polygon and keeps the list of those inside. True if it is up now.
 bool turn_flag(ScanState& state, std::int32_t polygon);
@@ -77,9 +58,43 @@ bool turn_flag(ScanState& state, std::int32_t polygon);
 
 namespace scanline_steps {
 
+/// Edges that have ended go, those that begin here come, all others move on; then they are sorted.
+template <SweepSink<ScanState> Sink>
+void update_active(ScanState& state, Sink& sink) {
+    const ScanEdgeTable& table = state.scene->table;
+    for (std::size_t i = 0; i < state.active.size();) {
+        const ActiveScanEdge gone = state.active[i];
+        if (table.edge(gone.edge).end_row > state.row) {
+            ++i;
+            continue;
+        }
+        state.active.erase(state.active.begin() + static_cast<std::ptrdiff_t>(i));
+        sink.sweep_step(
+            {.kind = SweepEventKind::edge_out,
+             .edge = gone.edge,
+             .polygon = table.edge(gone.edge).polygon,
+             .x = gone.x},
+            state
+        );
+    }
+    for (const std::int32_t edge : table.bucket(state.row)) {
+        const double x = crossing(table.edge(edge), state.row);
+        state.active.push_back({edge, x});
+        sink.sweep_step(
+            {.kind = SweepEventKind::edge_in,
+             .edge = edge,
+             .polygon = table.edge(edge).polygon,
+             .x = x},
+            state
+        );
+    }
+    move_active(table, state.row, state.active);
+    sink.sweep_step({.kind = SweepEventKind::active_edges}, state);
+}
+
 /// The polygon visible just right of `x`: the nearest there; of equal ones the one nearest at
 /// `x_end`; of equal ones the first of the file.
-template <ScanSink<ScanState> Sink>
+template <SweepSink<ScanState> Sink>
 [[nodiscard]] std::int32_t
 nearest_inside(const ScanState& state, double x, double x_end, Sink& sink) {
     std::int32_t nearest = state.inside.front();
@@ -88,10 +103,9 @@ nearest_inside(const ScanState& state, double x, double x_end, Sink& sink) {
         const std::pair own{scan_depth(state, other, x), scan_depth(state, other, x_end)};
         const std::pair best{scan_depth(state, nearest, x), scan_depth(state, nearest, x_end)};
         const bool nearer = own < best;
-        sink.scan_step(
-            {.kind = ScanEventKind::compare,
+        sink.sweep_step(
+            {.kind = SweepEventKind::compare,
              .verdict = nearer,
-             .row = state.row,
              .polygon = other,
              .other = nearest,
              .x = x,
@@ -134,16 +148,11 @@ find_false_edge(const ScanState& state, std::int32_t visible, double x, double x
 }
 
 /// Decides what is visible between two neighboring edges.
-template <ScanSink<ScanState> Sink, typename Emit>
+template <SweepSink<ScanState> Sink, typename Emit>
 void decide(const ScanState& state, double x, double x_end, Sink& sink, Emit&& emit) {
     const auto tell = [&](std::int32_t polygon, double from, double to) {
-        sink.scan_step(
-            {.kind = ScanEventKind::span,
-             .row = state.row,
-             .polygon = polygon,
-             .x = from,
-             .x_end = to},
-            state
+        sink.sweep_step(
+            {.kind = SweepEventKind::span, .polygon = polygon, .x = from, .x_end = to}, state
         );
         emit(ScanSpan{state.row, polygon, from, to});
     };
@@ -159,9 +168,8 @@ void decide(const ScanState& state, double x, double x_end, Sink& sink, Emit&& e
             break;
         }
         tell(visible, x, edge.x);
-        sink.scan_step(
-            {.kind = ScanEventKind::false_edge,
-             .row = state.row,
+        sink.sweep_step(
+            {.kind = SweepEventKind::false_edge,
              .polygon = edge.polygon,
              .other = visible,
              .x = edge.x},
@@ -173,9 +181,10 @@ void decide(const ScanState& state, double x, double x_end, Sink& sink, Emit&& e
     tell(visible, x, x_end);
 }
 
-/// One scanline, from 0 to the image's width.
-template <ScanSink<ScanState> Sink, typename Emit>
+/// Along the scanline, from 0 to the image's width.
+template <SweepSink<ScanState> Sink, typename Emit>
 void scan_row(ScanState& state, int width, Sink& sink, Emit&& emit) {
+    update_active(state, sink);
     double x = 0.0;
     for (const ActiveScanEdge& active : state.active) {
         const double next = std::clamp(active.x, 0.0, static_cast<double>(width));
@@ -183,13 +192,11 @@ void scan_row(ScanState& state, int width, Sink& sink, Emit&& emit) {
             decide(state, x, next, sink, emit);
         }
         x = next;
-        const std::int32_t polygon =
-            state.table.edges[static_cast<std::size_t>(active.edge)].polygon;
+        const std::int32_t polygon = state.scene->table.edge(active.edge).polygon;
         const bool entered = turn_flag(state, polygon);
-        sink.scan_step(
-            {.kind = ScanEventKind::cross,
+        sink.sweep_step(
+            {.kind = SweepEventKind::cross,
              .verdict = entered,
-             .row = state.row,
              .edge = active.edge,
              .polygon = polygon,
              .x = active.x},
@@ -203,17 +210,24 @@ void scan_row(ScanState& state, int width, Sink& sink, Emit&& emit) {
 
 } // namespace scanline_steps
 
-/// Emits the spans of the rows from left to right, covering each row of the image without a gap.
-/// Pixel i shows a span from x to x_end if x <= i + ½ < x_end: from `first_pixel(x)` on.
-template <ScanSink<ScanState> Sink, typename Emit>
+/// Emits the spans of a row from left to right, without a gap. Pixel i shows a span from x to
+/// x_end if x <= i + ½ < x_end: from `first_pixel(x)` on. Needs nothing of other rows.
+template <SweepSink<ScanState> Sink, typename Emit>
+void scan_row(
+    const std::shared_ptr<const ScanScene>& scene, int row, int width, Sink& sink, Emit&& emit
+) {
+    ScanState state = begin_row(scene, row);
+    scanline_steps::scan_row(state, width, sink, emit);
+}
+
+/// All rows of an image.
+template <SweepSink<ScanState> Sink, typename Emit>
 void scan_visible(
     std::vector<WindowPolygon> polygons, int width, int height, Sink& sink, Emit&& emit
 ) {
-    ScanState state = begin_scan(std::move(polygons), 0, height);
-    for (state.row = 0; state.row < height; ++state.row) {
-        update_active(state.table, state.row, state.active);
-        sink.scan_step({.kind = ScanEventKind::active_edges, .row = state.row}, state);
-        scanline_steps::scan_row(state, width, sink, emit);
+    const auto scene = scan_scene(std::move(polygons), 0, height);
+    for (int row = 0; row < height; ++row) {
+        scan_row(scene, row, width, sink, emit);
     }
 }
 

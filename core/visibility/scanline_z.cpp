@@ -8,8 +8,7 @@ std::vector<PixelSpan> pixel_spans(const ScanState& state, int width) {
     // Active edges come from left to right: the first of a polygon begins its span
     std::vector<PixelSpan> spans;
     for (const ActiveScanEdge& active : state.active) {
-        const std::int32_t polygon =
-            state.table.edges[static_cast<std::size_t>(active.edge)].polygon;
+        const std::int32_t polygon = state.scene->table.edge(active.edge).polygon;
         const int x = first_pixel(std::clamp(active.x, 0.0, static_cast<double>(width)));
         const auto open = std::ranges::find_if(spans, [&](const PixelSpan& span) {
             return span.polygon == polygon && span.x_end < 0;
@@ -21,6 +20,18 @@ std::vector<PixelSpan> pixel_spans(const ScanState& state, int width) {
         }
     }
     std::ranges::stable_sort(spans, {}, &PixelSpan::polygon);
+    return spans;
+}
+
+std::vector<PixelSpan> visible_spans(const LineBuffer& line) {
+    std::vector<PixelSpan> spans;
+    for (std::size_t i = 0; i < line.polygon.size(); ++i) {
+        const int x = static_cast<int>(i);
+        if (spans.empty() || spans.back().polygon != line.polygon[i]) {
+            spans.push_back({line.polygon[i], x, x});
+        }
+        spans.back().x_end = x + 1;
+    }
     return spans;
 }
 

@@ -14,23 +14,6 @@
 
 namespace hs::visibility {
 
-enum class LineEventKind : std::uint8_t {
-    clear, ///< the line is cleared for `row`
-    enter, ///< `polygon` covers pixels `x` … `x_end` − 1 of the row
-    test   ///< pixel `x`: is `polygon` (depth `value`) nearer than the line's (`other_value`)?
-};
-
-struct LineEvent {
-    LineEventKind kind = LineEventKind::clear;
-    bool verdict = false;
-    int row = 0;
-    std::int32_t polygon = -1;
-    int x = 0;
-    int x_end = 0;
-    double value = 0.0;
-    double other_value = 0.0;
-};
-
 /// The line: per pixel the nearest depth so far and whose it is (−1: nobody's).
 struct LineBuffer {
     int row = 0;
@@ -38,15 +21,9 @@ struct LineBuffer {
     std::vector<std::int32_t> polygon;
 };
 
-/// Takes the story; never steers.
+/// Hears of active edges, then of the line.
 template <typename Sink>
-concept LineSink = requires(Sink sink, const LineEvent& event, const LineBuffer& line) {
-    { sink.line_step(event, line) } -> std::same_as<void>;
-};
-
-struct SilentLine {
-    void line_step(const LineEvent&, const LineBuffer&) {}
-};
+concept LineSink = SweepSink<Sink, ScanState> && SweepSink<Sink, LineBuffer>;
 
 /// Pixels of one polygon on one scanline.
 struct PixelSpan {
@@ -58,25 +35,27 @@ struct PixelSpan {
 /// Of the active edges of a scanline: polygons in file order, pixels within [0, width).
 [[nodiscard]] std::vector<PixelSpan> pixel_spans(const ScanState& state, int width);
 
+/// Stretches of a finished line that show one polygon, or the background, from left to right.
+[[nodiscard]] std::vector<PixelSpan> visible_spans(const LineBuffer& line);
+
 namespace line_steps {
 
 template <LineSink Sink>
 void enter(const ScanState& state, const PixelSpan& span, LineBuffer& line, Sink& sink) {
-    sink.line_step(
-        {.kind = LineEventKind::enter,
-         .row = line.row,
+    sink.sweep_step(
+        {.kind = SweepEventKind::enter,
          .polygon = span.polygon,
-         .x = span.x,
-         .x_end = span.x_end},
+         .x = static_cast<double>(span.x),
+         .x_end = static_cast<double>(span.x_end)},
         line
     );
     for (int x = span.x; x < span.x_end; ++x) {
         const auto i = static_cast<std::size_t>(x);
-        LineEvent event{
-            .kind = LineEventKind::test,
-            .row = line.row,
+        SweepEvent event{
+            .kind = SweepEventKind::depth,
             .polygon = span.polygon,
-            .x = x,
+            .other = line.polygon[i],
+            .x = static_cast<double>(x),
             .value = scan_depth(state, span.polygon, x + 0.5),
             .other_value = line.depth[i]};
         event.verdict = event.value < event.other_value;
@@ -84,30 +63,39 @@ void enter(const ScanState& state, const PixelSpan& span, LineBuffer& line, Sink
             line.depth[i] = event.value;
             line.polygon[i] = span.polygon;
         }
-        sink.line_step(event, line);
+        sink.sweep_step(event, line);
     }
 }
 
 } // namespace line_steps
 
-/// `emit(line)` for every row when it is finished. Of equally deep polygons the first of the file
-/// stays.
+/// One row, which needs nothing of others; `emit(line)` when it is finished. Of equally deep
+/// polygons the first of the file stays.
+template <LineSink Sink, typename Emit>
+void scan_row_with_line_buffer(
+    const std::shared_ptr<const ScanScene>& scene, int row, int width, Sink& sink, Emit&& emit
+) {
+    ScanState state = begin_row(scene, row);
+    scanline_steps::update_active(state, sink);
+    LineBuffer line;
+    line.row = row;
+    line.depth.assign(static_cast<std::size_t>(width), std::numeric_limits<double>::infinity());
+    line.polygon.assign(static_cast<std::size_t>(width), -1);
+    sink.sweep_step({.kind = SweepEventKind::clear}, line);
+    for (const PixelSpan& span : pixel_spans(state, width)) {
+        line_steps::enter(state, span, line, sink);
+    }
+    emit(std::as_const(line));
+}
+
+/// All rows of an image.
 template <LineSink Sink, typename Emit>
 void scan_with_line_buffer(
     std::vector<WindowPolygon> polygons, int width, int height, Sink& sink, Emit&& emit
 ) {
-    ScanState state = begin_scan(std::move(polygons), 0, height);
-    LineBuffer line;
+    const auto scene = scan_scene(std::move(polygons), 0, height);
     for (int row = 0; row < height; ++row) {
-        state.row = line.row = row;
-        update_active(state.table, row, state.active);
-        line.depth.assign(static_cast<std::size_t>(width), std::numeric_limits<double>::infinity());
-        line.polygon.assign(static_cast<std::size_t>(width), -1);
-        sink.line_step({.kind = LineEventKind::clear, .row = row}, line);
-        for (const PixelSpan& span : pixel_spans(state, width)) {
-            line_steps::enter(state, span, line, sink);
-        }
-        emit(std::as_const(line));
+        scan_row_with_line_buffer(scene, row, width, sink, emit);
     }
 }
 

@@ -39,12 +39,34 @@ TEST_CASE("the order panel shows every decision of every algorithm", "[app]") {
     }
 }
 
+TEST_CASE("the order panel shows every row of scanlines and rays", "[app]") {
+    for (const auto visibility :
+         {scene::Visibility::scanline,
+          scene::Visibility::scanline_z,
+          scene::Visibility::ray_cast}) {
+        Window window(1280, 720);
+        window.viewer.set_recording(cycle_ordered_by(visibility));
+        while (window.state().side != SidePanel::order) {
+            window.key(viewer::Key::s);
+        }
+        const trace::Recording& recording = window.viewer.document().recording();
+        const trace::StepId stride = (recording.end_step - recording.first_sweep_step) / 40 + 1;
+        for (trace::StepId id = recording.first_sweep_step; id < recording.end_step; id += stride) {
+            window.viewer.seek(id);
+            window.settle();
+            INFO(name_of(visibility) << ", step " << id);
+            CHECK(window.host.cut_text().empty());
+        }
+    }
+}
+
 TEST_CASE("a click on the strip's visibility stage goes to the first decision", "[app]") {
     Window window(1280, 720);
     window.viewer.set_recording(cycle_ordered_by(scene::Visibility::painters));
     window.key(viewer::Key::home);
     const viewer::Rect strip = window.viewer.layout().strip;
-    const float width = strip.width / static_cast<float>(viewer::strip_stages(true).size());
+    const scene::Settings& settings = window.viewer.document().recording().settings();
+    const float width = strip.width / static_cast<float>(viewer::strip_stages(settings).size());
     window.click({width * 2.5F, strip.y + strip.height * 0.5F}); // application, vertex, visibility
     CHECK(window.step() == window.viewer.document().recording().first_order_step);
 }

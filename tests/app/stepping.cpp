@@ -13,7 +13,7 @@ namespace {
 
 /// Where a stage's cell of the strip is, in frames that order nothing.
 float middle_of(const viewer::Rect& strip, trace::Stage stage) {
-    const std::vector<trace::Stage> stages = viewer::strip_stages(false);
+    const std::vector<trace::Stage> stages = viewer::strip_stages({});
     const auto cell = std::find(stages.begin(), stages.end(), stage) - stages.begin();
     return strip.width * (static_cast<float>(cell) + 0.5F) / static_cast<float>(stages.size());
 }

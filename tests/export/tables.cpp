@@ -1,7 +1,9 @@
 // Tables, parsed again: CSV by hand, JSON by a JSON library.
 #include "core/export/table_file.hpp"
+#include "core/scene/scene_file.hpp"
 #include "tests/export/recorded.hpp"
 #include "tests/export/temporary_folder.hpp"
+#include "tests/support/paths.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -225,12 +227,67 @@ TEST_CASE(
     CHECK(pieces > 20);
 }
 
+namespace {
+
+trace::Player swept_player(scene::Visibility visibility) {
+    auto scene = scene::load_scene(test::source_dir() / "lessons/scenes/scanline-triangles.toml");
+    REQUIRE(scene);
+    scene->settings.visibility = visibility;
+    return trace::Player(tests::recorded(std::make_shared<const scene::Scene>(*scene)));
+}
+
+} // namespace
+
+TEST_CASE("spans and rays are what the pixels show", "[export][table]") {
+    for (const auto visibility : {scene::Visibility::scanline, scene::Visibility::scanline_z}) {
+        const trace::Player player = swept_player(visibility);
+        const nlohmann::json table = as_json(player, "spans");
+        std::size_t covered = 0;
+        for (std::size_t i = 0; i < table["span.row"].size(); ++i) {
+            // Pixel centers from x to x_end; of whole pixels all
+            const double x = table["span.x"][i];
+            const double x_end = table["span.x_end"][i];
+            const bool whole = visibility == scene::Visibility::scanline_z;
+            const auto last = static_cast<int>(whole ? x_end : std::ceil(x_end - 0.5));
+            for (auto p = static_cast<int>(whole ? x : std::ceil(x - 0.5)); p < last; ++p) {
+                const PixelPos pixel{p, table["span.row"][i]};
+                const auto shown = static_cast<std::int32_t>(player.pixel(pixel).triangle);
+                CHECK(table["span.triangle"][i] == shown);
+                ++covered;
+            }
+        }
+        CHECK(covered == 400);
+    }
+    const trace::Player player = swept_player(scene::Visibility::ray_cast);
+    const nlohmann::json table = as_json(player, "rays");
+    REQUIRE(table["ray.triangle"].size() == 400);
+    for (std::size_t i = 0; i < 400; ++i) {
+        const auto& at = table["ray.pixel"][i];
+        const PixelPos pixel{at[0].get<int>(), at[1].get<int>()};
+        CHECK(table["ray.triangle"][i] == static_cast<std::int32_t>(player.pixel(pixel).triangle));
+    }
+}
+
+TEST_CASE("the decisions of one scanline end with the step's", "[export][table]") {
+    trace::Player player = swept_player(scene::Visibility::scanline);
+    player.seek(*trace::find_step(player.recording(), "scanline 7 / edge 1"));
+    const nlohmann::json table = as_json(player, "sweep");
+    const std::size_t rows = table["sweep.decision"].size();
+    REQUIRE(rows > 3);
+    CHECK(table["sweep.decision"][rows - 1] == "edge");
+    CHECK(table["sweep.verdict"][rows - 1] == 1);
+    CHECK(table["sweep.triangle"][rows - 1] == 1);
+    CHECK(table["sweep.x"][rows - 1] == Approx(9.3));
+    player.seek(0);
+    CHECK(as_json(player, "sweep")["sweep.decision"].empty());
+}
+
 TEST_CASE("an unknown table is refused with the names of those there are", "[export][table]") {
     const auto table = exporting::make_table(tests::random_player(0), "normals");
     REQUIRE_FALSE(table);
     CHECK(
         table.diagnostics().front().message ==
         "'normals' is not a table; known are vertices, triangles, fragments, samples, counters, "
-        "runs, pieces, piece-vertices, order, steps, traversals"
+        "runs, pieces, piece-vertices, order, spans, rays, sweep, steps, traversals"
     );
 }

@@ -61,7 +61,7 @@ void answer_right(Session& session) {
     CHECK_FALSE(to_plain_text(session.reveal()).empty());
 }
 
-/// Chooses every value of a change; the watched quantity must notice.
+/// Chooses every value of a change, then takes it back; the watched quantity must notice.
 void try_change(Session& session, std::size_t change) {
     INFO(session.step().title);
     std::set<std::string> watched;
@@ -71,6 +71,7 @@ void try_change(Session& session, std::size_t change) {
         watched.insert(session.watched(change));
     }
     CHECK(watched.size() > 1);
+    session.change(change, std::nullopt);
 }
 
 } // namespace
@@ -122,10 +123,28 @@ TEST_CASE("every misconception of the course is graded wrong and called by its n
     CHECK(count >= 15);
 }
 
+TEST_CASE("a change does not tell what its step's question hides", "[lesson]") {
+    std::size_t hidden = 0;
+    for (const std::filesystem::path& folder : course()) {
+        Session session(open(folder));
+        do {
+            for (std::size_t i = 0; i < session.step().changes.size(); ++i) {
+                const bool asked = session.is_hidden(session.step().changes[i].watch.quantity);
+                CHECK((session.watched(i) == "?") == asked);
+                hidden += asked ? 1 : 0;
+            }
+        } while (session.next());
+    }
+    CHECK(hidden > 0);
+}
+
 TEST_CASE("every change of the course changes what it says to watch", "[lesson]") {
     for (const std::filesystem::path& folder : course()) {
         Session session(open(folder));
         do {
+            if (session.state() != QuestionState::none) {
+                answer_right(session); // what the question hides may be what a change watches
+            }
             for (std::size_t change = 0; change < session.step().changes.size(); ++change) {
                 try_change(session, change);
             }

@@ -48,7 +48,7 @@ tests::Ray float_ray(const glm::dvec4& eye, tests::Random& random) {
 
 TEST_CASE("a cast ray keeps the triangle that Embree's ray hits first", "[oracle][visibility]") {
     tests::Random random(471);
-    visibility::SilentRay silent;
+    visibility::SilentSweep silent;
     int asked = 0;
     int hits = 0;
     int wrong = 0;

@@ -88,6 +88,7 @@ constexpr Table tables[] = {
     {"trace::StepKind", check_table<trace::StepKind>},
     {"visibility::NewellTest", check_table<visibility::NewellTest>},
     {"visibility::OrderEventKind", check_table<visibility::OrderEventKind>},
+    {"visibility::SweepEventKind", check_table<visibility::SweepEventKind>},
     {"visibility::Side", check_table<visibility::Side>},
 };
 

@@ -86,6 +86,7 @@ std::optional<PixelRole> role_of(TriangleVerdict verdict) {
     case TriangleVerdict::too_large: return PixelRole::too_large;
     case TriangleVerdict::stuck: return PixelRole::stuck;
     case TriangleVerdict::drawn:
+    case TriangleVerdict::unseen:
     case TriangleVerdict::no_sample_covered: break;
     }
     return std::nullopt;
@@ -131,6 +132,13 @@ void check_reason(const trace::Player& player, PixelPos pixel, const TriangleAtP
     const pipeline::DrawCall& call = recording.frame->calls()[object];
     if (reason.role == PixelRole::cut_away) {
         REQUIRE(record.crossed != 0);
+        return;
+    }
+    if (reason.role == PixelRole::hidden) {
+        REQUIRE(recording.settings().sweeps());
+        const std::uint32_t last = recording.final_pixels[pixel].last_fragment;
+        REQUIRE(last != trace::no_fragment);
+        REQUIRE(recording.run_of_fragment(last).triangle != reason.triangle);
         return;
     }
     REQUIRE((reason.role == PixelRole::beyond_viewport) == !call.drawable().contains(pixel));

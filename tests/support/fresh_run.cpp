@@ -25,6 +25,14 @@ public:
         ++counters_.decisions[static_cast<std::size_t>(event.kind)];
         add(StepKind::order);
     }
+    void sweep_begin(int) {}
+    void pixel_begin(PixelPos) {}
+    void shown(const pipeline::PieceName&) {}
+    template <typename State>
+    void sweep_step(const visibility::SweepEvent& event, const State&) {
+        ++counters_.sweeps[static_cast<std::size_t>(event.kind)];
+        add(StepKind::sweep);
+    }
     void triangle_begin(std::uint32_t, std::uint32_t) { clipped_ = false; }
     void part_begin(int) {}
     void outcodes(const std::array<geometry::Outcode, 3>&) {

@@ -20,7 +20,7 @@ scene::Settings random_settings(Random& random) {
     s.background = {0.125F, 0.25F, 0.5F, 1.0F};
     s.visibility = random.one_in(4) ? scene::Visibility::none : scene::Visibility::z_buffer;
     if (random.one_in(3)) {
-        s.visibility = static_cast<scene::Visibility>(2 + random.below(5));
+        s.visibility = static_cast<scene::Visibility>(2 + random.below(8));
     }
     s.painters_key = any<scene::PaintersKey>(random, 3);
     s.bsp_splitter = any<scene::BspSplitter>(random, 3);
@@ -98,11 +98,19 @@ void make_meaningful(scene::Scene& scene) {
     if (s.splits_triangles() && s.traversal == scene::TraversalKind::homogeneous) {
         s.traversal = scene::TraversalKind::bounding_box;
     }
-    const bool in_world = s.visibility == Visibility::bsp || s.visibility == Visibility::octree;
+    if (s.sweeps()) {
+        s.blend_enabled = false;
+    }
+    if (s.visibility == Visibility::ray_cast) {
+        s.clip_enabled = true;
+        s.clip_planes.clear();
+    }
+    const bool in_world = s.visibility == Visibility::bsp || s.visibility == Visibility::octree ||
+                          s.visibility == Visibility::ray_cast;
     for (const scene::Object& object : scene.objects) {
         for (const glm::vec4& position : object.mesh->positions) {
             if (in_world && position.w != 1.0F) {
-                s.visibility = Visibility::newell_sancha;
+                s.visibility = s.sweeps() ? Visibility::scanline : Visibility::newell_sancha;
             }
         }
     }
@@ -144,6 +152,9 @@ std::shared_ptr<const scene::Scene> sampled_scene(std::uint64_t seed) {
     auto made = std::make_shared<scene::Scene>(*random_scene(seed));
     Random random(~seed);
     scene::Settings& s = made->settings;
+    if (s.sweeps()) {
+        s.visibility = scene::Visibility::z_buffer; // which ask pixel centers only
+    }
     s.sampling = any<scene::Sampling>(random, 3);
     switch (s.sampling) {
     case scene::Sampling::multisample: s.samples = 2 << random.below(3); break;

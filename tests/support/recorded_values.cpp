@@ -1,6 +1,7 @@
 #include "tests/support/recorded_values.hpp"
 
 #include "core/trace/player.hpp"
+#include "core/trace/sweep_detail.hpp"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,20 @@ void add_vertex(Values& list, const trace::Step& step, const pipeline::VertexWor
         add(list, "clip.", math::to_vec4(work.clip), axes);
     } else {
         add(list, "color.", work.varyings.color(), channels);
+    }
+}
+
+/// An edge that begins has a place, a question an answer, everything else a number.
+void add_sweep(Values& list, const visibility::SweepEvent& event) {
+    using enum visibility::SweepEventKind;
+    if (event.kind == edge_in) {
+        list.emplace_back("x", event.x);
+        return;
+    }
+    list.emplace_back("value", event.value);
+    list.emplace_back("verdict", event.verdict);
+    if (event.kind == compare || event.kind == depth || event.kind == keep) {
+        list.emplace_back("other value", event.other_value);
     }
 }
 
@@ -326,6 +341,8 @@ Values recorded_values(const trace::Recording& recording, const trace::Step& ste
     } else if (step.kind == StepKind::order) {
         const visibility::OrderEvent& event = recording.decisions[step.event];
         list.emplace_back("value", event.value);
+    } else if (step.kind == StepKind::sweep) {
+        add_sweep(list, trace::sweep_detail(recording, step).last());
     } else if (step.kind == StepKind::outcodes) {
         add_outcodes(list, recording, step, *detail.triangle);
     } else if (step.kind == StepKind::clip_plane) {

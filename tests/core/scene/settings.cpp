@@ -54,7 +54,7 @@ void check_table(std::size_t count) {
 } // namespace
 
 TEST_CASE("every enumerator of the scene room has a name and a sentence", "[unit][scene]") {
-    check_table<Visibility>(7);
+    check_table<Visibility>(10);
     check_table<TraversalKind>(8);
     check_table<CullFace>(3);
     check_table<Winding>(2);
@@ -195,7 +195,8 @@ TEST_CASE("an unknown setting is refused with the nearest known one", "[unit][sc
     CHECK(
         assign(settings, "visibility", text("warnock")) ==
         "visibility must be \"none\", \"z-buffer\", \"painters\", \"front-lists\", "
-        "\"newell-sancha\", \"bsp\" or \"octree\", not \"warnock\""
+        "\"newell-sancha\", \"bsp\", \"octree\", \"scanline\", \"scanline-z\" or \"ray-cast\", not "
+        "\"warnock\""
     );
     CHECK(find_setting("depth") == nullptr);
 }

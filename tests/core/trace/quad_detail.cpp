@@ -12,13 +12,16 @@ using namespace hs;
 namespace {
 
 /// Every other one with several samples a pixel, or conservative; none homogeneous, whose varyings
-/// come from planes through the eye.
+/// come from planes through the eye; none that shows the nearest by rows, without blocks of pixels.
 std::shared_ptr<const trace::Recording> a_recording(std::uint64_t seed) {
     auto scene = std::make_shared<scene::Scene>(
         *(seed % 2 == 0 ? tests::random_scene(seed / 2) : tests::sampled_scene(seed / 2))
     );
     if (scene->settings.traversal == scene::TraversalKind::homogeneous) {
         scene->settings.traversal = scene::TraversalKind::hierarchical;
+    }
+    if (scene->settings.sweeps()) {
+        scene->settings.visibility = scene::Visibility::z_buffer;
     }
     return trace::record(std::move(scene)).value();
 }

@@ -14,9 +14,9 @@
 using namespace hs;
 using visibility::Ray;
 using visibility::RayCast;
-using visibility::RayEvent;
-using visibility::RayEventKind;
 using visibility::RayTriangle;
+using visibility::SweepEvent;
+using visibility::SweepEventKind;
 
 namespace {
 
@@ -27,8 +27,8 @@ RayTriangle wall_at(double z) {
 }
 
 struct EventTrace {
-    std::vector<RayEvent> events;
-    void ray_step(const RayEvent& event, const RayCast&) { events.push_back(event); }
+    std::vector<SweepEvent> events;
+    void sweep_step(const SweepEvent& event, const RayCast&) { events.push_back(event); }
 };
 
 } // namespace
@@ -40,9 +40,9 @@ TEST_CASE("the nearest hit is kept, whatever the order", "[visibility]") {
     CHECK(cast.nearest == 1);
     CHECK(cast.meeting.t == Approx(0.3));
     std::vector<std::pair<std::int32_t, bool>> kept;
-    for (const RayEvent& event : trace.events) {
-        if (event.kind == RayEventKind::keep) {
-            kept.emplace_back(event.triangle, event.verdict);
+    for (const SweepEvent& event : trace.events) {
+        if (event.kind == SweepEventKind::keep) {
+            kept.emplace_back(event.polygon, event.verdict);
         }
     }
     // Beyond the far plane nothing is hit
@@ -127,7 +127,7 @@ TEST_CASE("no ray slips between triangles that share an edge or a vertex", "[vis
         const glm::dvec3 eye{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
         const auto t = static_cast<double>(random.one_in(10) ? 0.0F : random.between(0, 0.9F));
         const glm::dvec3 target = center + t * (rim[random.below(7)] - center);
-        visibility::SilentRay silent;
+        visibility::SilentSweep silent;
         const RayCast cast = visibility::cast_ray({eye, 2.0 * (target - eye)}, fan, silent);
         missed += cast.nearest < 0 ? 1 : 0;
     }

@@ -10,10 +10,10 @@
 
 using namespace hs;
 using tests::window_triangle;
-using visibility::ScanEvent;
-using visibility::ScanEventKind;
 using visibility::ScanSpan;
 using visibility::ScanState;
+using visibility::SweepEvent;
+using visibility::SweepEventKind;
 using visibility::WindowPolygon;
 
 namespace {
@@ -36,26 +36,33 @@ std::string name(const visibility::ScanEdge& edge) {
 
 struct RowTrace {
     std::map<int, std::string> active; ///< per row, "AC AB …"
-    std::vector<ScanEvent> events;
-    void scan_step(const ScanEvent& event, const ScanState& state) {
+    std::vector<SweepEvent> events;
+    void sweep_step(const SweepEvent& event, const ScanState& state) {
         events.push_back(event);
-        if (event.kind != ScanEventKind::active_edges) {
+        if (event.kind != SweepEventKind::active_edges) {
             return;
         }
         for (const visibility::ActiveScanEdge& edge : state.active) {
-            std::string& names = active[event.row];
-            names += (names.empty() ? "" : " ") +
-                     name(state.table.edges[static_cast<std::size_t>(edge.edge)]);
+            std::string& names = active[state.row];
+            names += (names.empty() ? "" : " ") + name(state.scene->table.edge(edge.edge));
         }
     }
-    [[nodiscard]] std::vector<ScanEvent> of(ScanEventKind kind) const {
-        std::vector<ScanEvent> result;
-        for (const ScanEvent& event : events) {
+    [[nodiscard]] std::vector<SweepEvent> of(SweepEventKind kind) const {
+        std::vector<SweepEvent> result;
+        for (const SweepEvent& event : events) {
             if (event.kind == kind) {
                 result.push_back(event);
             }
         }
         return result;
+    }
+};
+
+struct LineTests {
+    int tests = 0;
+    template <typename State>
+    void sweep_step(const SweepEvent& event, const State&) {
+        tests += event.kind == SweepEventKind::depth ? 1 : 0;
     }
 };
 
@@ -65,7 +72,7 @@ pixels_of(const std::vector<WindowPolygon>& polygons, int width, int height) {
     std::vector<std::int32_t> pixels(
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height), -2
     );
-    visibility::SilentScan silent;
+    visibility::SilentSweep silent;
     visibility::scan_visible(polygons, width, height, silent, [&](const ScanSpan& span) {
         const int end = visibility::first_pixel(span.x_end);
         for (int x = visibility::first_pixel(span.x); x < end; ++x) {
@@ -78,7 +85,7 @@ pixels_of(const std::vector<WindowPolygon>& polygons, int width, int height) {
 std::vector<std::int32_t>
 line_pixels_of(const std::vector<WindowPolygon>& polygons, int width, int height) {
     std::vector<std::int32_t> pixels;
-    visibility::SilentLine silent;
+    visibility::SilentSweep silent;
     visibility::scan_with_line_buffer(
         polygons,
         width,
@@ -131,9 +138,9 @@ TEST_CASE("what is visible is decided on entering and on leaving", "[visibility]
         CHECK(spans[i].x == (i == 0 ? 0.0 : spans[i - 1].x_end)); // no gap
     }
     CHECK(spans.back().x_end == 20.0);
-    CHECK(trace.of(ScanEventKind::cross).size() == 4);
-    CHECK(trace.of(ScanEventKind::compare).size() == 1); // only where two are inside
-    CHECK(trace.of(ScanEventKind::false_edge).empty());
+    CHECK(trace.of(SweepEventKind::cross).size() == 4);
+    CHECK(trace.of(SweepEventKind::compare).size() == 1); // only where two are inside
+    CHECK(trace.of(SweepEventKind::false_edge).empty());
 }
 
 TEST_CASE("a polygon that comes through another makes a false edge", "[visibility]") {
@@ -149,7 +156,7 @@ TEST_CASE("a polygon that comes through another makes a false edge", "[visibilit
         trace,
         [&](const ScanSpan& span) { spans.push_back(span); }
     );
-    const auto edges = trace.of(ScanEventKind::false_edge);
+    const auto edges = trace.of(SweepEventKind::false_edge);
     REQUIRE(edges.size() == 1);
     CHECK(edges[0].x == Approx(8.0)); // 0.2 + 0.6 u = 0.6 - 0.2 u at u = 1/2
     CHECK(edges[0].polygon == 1);
@@ -188,12 +195,7 @@ TEST_CASE("every pixel center on a shared edge belongs to exactly one triangle",
     const std::vector<WindowPolygon> square{
         window_triangle(0, {0, 0, 0.5}, {8, 0, 0.5}, {8, 8, 0.5}),
         window_triangle(1, {0, 0, 0.5}, {8, 8, 0.5}, {0, 8, 0.5})};
-    struct Count {
-        int tests = 0;
-        void line_step(const visibility::LineEvent& event, const visibility::LineBuffer&) {
-            tests += event.kind == visibility::LineEventKind::test ? 1 : 0;
-        }
-    } count;
+    LineTests count;
     visibility::scan_with_line_buffer(square, 8, 8, count, [](const visibility::LineBuffer&) {});
     CHECK(count.tests == 64);
     CHECK(std::ranges::count(pixels_of(square, 8, 8), -1) == 0);
