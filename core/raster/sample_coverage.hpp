@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <span>
 
 namespace hs::raster {
@@ -51,8 +50,9 @@ struct SampledSetup : TriangleSetup {
     for (unsigned k = 0; k < 3; ++k) {
         const auto steps = std::span{result.samples.steps}.first(static_cast<std::size_t>(samples));
         const auto step = [k](const EdgeValues& sample) { return sample[k]; };
-        result.reach.in[k] = std::ranges::max(steps | std::views::transform(step));
-        result.reach.out[k] = std::ranges::min(steps | std::views::transform(step));
+        const auto [least, most] = std::ranges::minmax(steps, {}, step);
+        result.reach.in[k] = most[k];
+        result.reach.out[k] = least[k];
     }
     return result;
 }
