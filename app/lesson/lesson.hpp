@@ -120,6 +120,7 @@ enum class Panel : std::uint8_t {
     vertex,
     triangle,
     fragment,
+    values,
     history,
     matrices,
     state

@@ -50,11 +50,12 @@ std::span<const Named<lesson::View>> names<lesson::View>() {
 template <>
 std::span<const Named<lesson::Panel>> names<lesson::Panel>() {
     using lesson::Panel;
-    static constexpr std::array<Named<Panel>, 7> table{{
+    static constexpr std::array<Named<Panel>, 8> table{{
         {Panel::unchanged, "unchanged", "as it was"},
         {Panel::vertex, "vertex", "a vertex through all spaces"},
         {Panel::triangle, "triangle", "a triangle's clip distances, area and edges"},
         {Panel::fragment, "fragment", "a fragment and its tests"},
+        {Panel::values, "values", "every value of a step, with where it came from"},
         {Panel::history, "history", "everything that reached a pixel"},
         {Panel::matrices, "matrices", "the three matrices"},
         {Panel::state, "state", "the settings in force"},

@@ -34,6 +34,8 @@ void Document::show(std::shared_ptr<const trace::Recording> recording) {
     history_.reset();
     fighting_.reset();
     sentence_step_.reset();
+    values_step_.reset();
+    reasons_of_.reset();
     trail_step_.reset();
     costs_triangle_.reset();
     sweep_step_.reset();
@@ -49,6 +51,8 @@ void Document::close() {
     history_.reset();
     fighting_.reset();
     sentence_step_.reset();
+    values_step_.reset();
+    reasons_of_.reset();
     trail_step_.reset();
     costs_triangle_.reset();
     sweep_step_.reset();
@@ -150,6 +154,24 @@ const std::vector<PixelPos>& Document::fighting_pixels() {
         fighting_ = explain::fighting_pixels(recording());
     }
     return *fighting_;
+}
+
+const std::vector<explain::StepValue>& Document::values() {
+    if (values_step_ != player_->step()) {
+        values_ = explain::step_values(recording(), player_->current(), player_->detail());
+        values_step_ = player_->step();
+    }
+    return values_;
+}
+
+const Reasons& Document::reasons(PixelPos pixel) {
+    const std::pair of{pixel, player_->step()};
+    if (reasons_of_ != of) {
+        reasons_ = {
+            explain::why_this_color(*player_, pixel), explain::triangles_at_pixel(*player_, pixel)};
+        reasons_of_ = of;
+    }
+    return reasons_;
 }
 
 const std::string& Document::sentence() {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/viewer/screen_colors.hpp"
+#include "core/explain/why_color.hpp"
+#include "core/explain/why_not.hpp"
 #include "core/trace/comparison.hpp"
 #include "core/trace/history.hpp"
 #include "core/trace/order_detail.hpp"
@@ -26,6 +28,12 @@ struct PixelRanges {
     ValueRange depth; ///< of what was drawn
     std::uint16_t most_overdraw = 1;
     std::uint16_t most_complexity = 1;
+};
+
+/// Why a pixel has its color, and why other triangles do not show there.
+struct Reasons {
+    std::vector<explain::ColorLink> color;
+    std::vector<explain::TriangleAtPixel> triangles;
 };
 
 class Document {
@@ -88,6 +96,12 @@ public:
     /// The sentence about the current step, kept until the playhead moves.
     const std::string& sentence();
 
+    /// The values of the current step, kept until the playhead moves.
+    const std::vector<explain::StepValue>& values();
+
+    /// Kept until another pixel is asked for or the playhead moves.
+    const Reasons& reasons(PixelPos pixel);
+
     /// What every traversal would spend on the current triangle, kept until another one is
     /// current; empty outside of triangles.
     const std::vector<trace::TraversalCost>& traversal_costs();
@@ -112,6 +126,10 @@ private:
     std::optional<trace::StepId> sweep_step_;
     std::string sentence_;
     std::optional<trace::StepId> sentence_step_;
+    std::vector<explain::StepValue> values_;
+    std::optional<trace::StepId> values_step_;
+    Reasons reasons_;
+    std::optional<std::pair<PixelPos, trace::StepId>> reasons_of_;
     std::vector<trace::TraversalCost> traversal_costs_;
     std::optional<std::uint32_t> costs_triangle_;
     trace::Trail trail_;

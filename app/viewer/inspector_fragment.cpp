@@ -370,6 +370,7 @@ void draw_history_tab(Context& context) {
     if (history.rows.empty()) {
         empty_note(theme, "No triangle covers this pixel's center.");
     }
+    draw_why(context, *pixel);
 }
 
 void draw_state_tab(Context& context) {

@@ -106,6 +106,7 @@ void show_panel(lesson::Panel panel, State& state) {
     case Panel::matrices: state.tab = InspectorTab::vertex; return;
     case Panel::triangle: state.tab = InspectorTab::triangle; return;
     case Panel::fragment: state.tab = InspectorTab::fragment; return;
+    case Panel::values: state.tab = InspectorTab::values; return;
     case Panel::history: state.tab = InspectorTab::history; return;
     case Panel::state: state.tab = InspectorTab::state; return;
     }

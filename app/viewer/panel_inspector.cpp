@@ -44,6 +44,7 @@ void draw_inspector(Context& context, const Rect& rect) {
         case InspectorTab::vertex: draw_vertex_tab(context); break;
         case InspectorTab::triangle: draw_triangle_tab(context); break;
         case InspectorTab::fragment: draw_fragment_tab(context); break;
+        case InspectorTab::values: draw_values_tab(context); break;
         case InspectorTab::history: draw_history_tab(context); break;
         case InspectorTab::state: draw_state_tab(context); break;
         }

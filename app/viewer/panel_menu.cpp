@@ -35,6 +35,8 @@ void file_menu(Context& context) {
     }
     tooltip(context.state.recent.empty() ? "Nothing was opened yet." : "");
     menu_item(context, Command::export_shown);
+    menu_item(context, Command::undo);
+    menu_item(context, Command::redo);
     ImGui::Separator();
     menu_item(context, Command::quit);
 }
@@ -105,6 +107,7 @@ void lessons_menu(Context& context) {
 void help_menu(Context& context) {
     menu_item(context, Command::keys);
     menu_item(context, Command::go_to);
+    menu_item(context, Command::why);
 }
 
 /// Right of the menus: scene name · size · step path, shortened from the front when need be.

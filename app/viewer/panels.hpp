@@ -45,7 +45,10 @@ void draw_inspector(Context& context, const Rect& rect);
 void draw_vertex_tab(Context& context);
 void draw_triangle_tab(Context& context);
 void draw_fragment_tab(Context& context);
+void draw_values_tab(Context& context);
 void draw_history_tab(Context& context);
+/// Below the history: why the pixel has its color, and why other triangles do not show.
+void draw_why(Context& context, PixelPos pixel);
 void draw_state_tab(Context& context);
 void draw_sentence(Context& context, const Rect& rect);
 void draw_timeline(Context& context, const Rect& rect, TimelineBands& bands);

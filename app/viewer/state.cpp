@@ -130,6 +130,7 @@ std::span<const Named<viewer::InspectorTab>> names<viewer::InspectorTab>() {
         {InspectorTab::vertex, "vertex", "one vertex through all spaces"},
         {InspectorTab::triangle, "triangle", "clipping, facing and edge functions"},
         {InspectorTab::fragment, "fragment", "weights, tests and colors of one fragment"},
+        {InspectorTab::values, "values", "every value of this step, with where it came from"},
         {InspectorTab::history, "pixel", "every fragment that reached the picked pixel"},
         {InspectorTab::state, "state", "the settings of the current object"},
     }};

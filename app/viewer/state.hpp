@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,10 +66,11 @@ enum class InspectorTab : std::uint8_t {
     vertex,
     triangle,
     fragment,
+    values,
     history,
     state
 };
-inline constexpr int inspector_tab_count = 5;
+inline constexpr int inspector_tab_count = 6;
 
 enum class LeftTab : std::uint8_t {
     lesson,
@@ -145,6 +147,24 @@ struct SearchField {
     bool wants_keyboard = false;
 };
 
+/// The value whose formula is open, and the way that led to it.
+struct ValueTrail {
+    struct Stop {
+        std::string step; ///< a path
+        std::string value;
+    };
+    std::string open;       ///< its name; where the step has no such value, nothing is open
+    int operand = -1;       ///< which of its operands is chosen
+    bool scroll = false;    ///< bring it into sight
+    std::vector<Stop> back; ///< the values left by following operands
+};
+
+/// The values of a step before the scene was changed under it, as texts by name.
+struct ValuesBefore {
+    std::string step; ///< a path; empty: nothing was changed yet
+    std::map<std::string, std::string> texts;
+};
+
 enum class Prompt : std::uint8_t {
     none,
     open_file,
@@ -167,6 +187,9 @@ struct State {
     SidePanel side = SidePanel::space;
     bool show_side = true;
     SearchField search;
+    ValueTrail values;
+    ValuesBefore values_before;
+    bool show_why = false; ///< below a pixel's history
     std::optional<PlanesDraft> planes;
     bool log_distance = false; ///< axis of the depth plot
     ThemeKind theme = ThemeKind::dark;

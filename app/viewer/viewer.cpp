@@ -153,7 +153,7 @@ std::optional<std::string> Viewer::change_settings(const scene::Settings& settin
     }
     auto changed = std::make_shared<scene::Scene>(document_.scene());
     changed->settings = settings;
-    record_anew(std::move(changed));
+    change_scene(std::move(changed));
     return std::nullopt;
 }
 
@@ -176,11 +176,33 @@ void Viewer::start_search() {
 void Viewer::change_camera(const scene::Camera& camera) {
     auto changed = std::make_shared<scene::Scene>(document_.scene());
     changed->camera = camera;
+    change_scene(std::move(changed));
+}
+
+void Viewer::change_scene(std::shared_ptr<const scene::Scene> changed) {
+    // While the frame is recorded, further changes are changes of the same scene
+    SceneChange present = document_.recording().frame->shared_scene();
+    if (done_.empty() || done_.back() != present) {
+        done_.push_back(std::move(present));
+    }
+    undone_.clear();
     record_anew(std::move(changed));
+}
+
+/// Returns to the scene at the end of one list; the present one goes to the other.
+void Viewer::take_back(std::vector<SceneChange>& from, std::vector<SceneChange>& to) {
+    SceneChange scene = std::move(from.back());
+    from.pop_back();
+    to.push_back(document_.recording().frame->shared_scene());
+    record_anew(std::move(scene));
 }
 
 void Viewer::record_anew(std::shared_ptr<const scene::Scene> changed) {
     const std::string at = trace::step_path(document_.player().current());
+    state_.values_before = {at, {}};
+    for (const explain::StepValue& value : document_.values()) {
+        state_.values_before.texts[value.name] = explain::value_text(*value.expression);
+    }
     background_.start(
         "Recording",
         [scene = std::move(changed), at](const Background::Progress& progress) {
@@ -191,6 +213,20 @@ void Viewer::record_anew(std::shared_ptr<const scene::Scene> changed) {
 
 void Viewer::select(PixelPos pixel) {
     state_.selected = pixel;
+}
+
+void Viewer::follow(const explain::Origin& origin) {
+    const auto source = explain::source_of(document_.recording(), origin);
+    if (!source) {
+        return;
+    }
+    ValueTrail& trail = state_.values;
+    trail.back.push_back({trace::step_path(document_.player().current()), trail.open});
+    seek(source->step);
+    trail.open = source->value;
+    trail.operand = -1;
+    trail.scroll = true;
+    state_.tab = InspectorTab::values;
 }
 
 void Viewer::go_to_lesson_step(std::size_t step) {
@@ -211,6 +247,7 @@ void Viewer::follow_lesson() {
     }
     if (!document_.is_open() || document_.player().shared_recording() != session_->recording()) {
         set_recording(session_->recording());
+        forget_changes();
         state_.screen.fitted = true;
     }
     seek(session_->stand());
@@ -260,6 +297,22 @@ bool Viewer::shows_beside() const {
     return state_.show_side && state_.side == SidePanel::beside && beside_.is_beside(document_);
 }
 
+/// Of a change that was stopped there is nothing to undo.
+void Viewer::forget_unmade_changes() {
+    const auto is_present = [this](const SceneChange& scene) {
+        return document_.is_open() && scene == document_.recording().frame->shared_scene();
+    };
+    std::erase_if(done_, is_present);
+    std::erase_if(undone_, is_present);
+}
+
+void Viewer::forget_changes() {
+    done_.clear();
+    undone_.clear();
+    state_.values.back.clear();
+    state_.values_before = {};
+}
+
 void Viewer::receive(Opened opened) {
     if (opened.cancelled) {
         state_.notice = "Stopped.";
@@ -269,6 +322,7 @@ void Viewer::receive(Opened opened) {
         return;
     }
     if (opened.cancelled) {
+        forget_unmade_changes();
         return;
     }
     if (!opened.problems.empty()) {
@@ -288,6 +342,7 @@ void Viewer::receive(Opened opened) {
     } else {
         set_recording(std::move(opened.recording));
         if (!opened.file.empty()) {
+            forget_changes();
             session_.reset();
             state_.left = LeftTab::scene;
             state_.screen.fitted = true;

@@ -37,6 +37,9 @@ struct OpenOptions {
     std::vector<scene::Assignment> assignments;
 };
 
+/// A scene as it was before a change.
+using SceneChange = std::shared_ptr<const scene::Scene>;
+
 class Viewer {
 public:
     Viewer();
@@ -69,6 +72,8 @@ public:
     /// Goes to a step of the lesson. Precondition: there is a lesson.
     void go_to_lesson_step(std::size_t step);
     void select(PixelPos pixel);
+    /// Goes to the step a value came from and opens it there; `value_back` returns.
+    void follow(const explain::Origin& origin);
 
     // Input from the host
     void key(const KeyPress& press);
@@ -113,6 +118,7 @@ public:
 
 private:
     void receive(Opened opened);
+    void change_scene(std::shared_ptr<const scene::Scene> changed);
     void record_anew(std::shared_ptr<const scene::Scene> changed);
     void follow_lesson();
     void follow_step();
@@ -126,6 +132,14 @@ private:
     void close_top();
     [[nodiscard]] std::string why_no_answer(Command command) const;
     [[nodiscard]] std::string why_no_match(Command command) const;
+    [[nodiscard]] std::string why_no_value(Command command) const;
+    bool run_value(Command command);
+    void choose_value(int by);
+    void choose_operand(int by);
+    void return_to_value();
+    void take_back(std::vector<SceneChange>& from, std::vector<SceneChange>& to);
+    void forget_unmade_changes();
+    void forget_changes();
     void play_morph();
     void choose_answer(int by);
     void hand_in_answer();
@@ -144,6 +158,8 @@ private:
     Beside beside_;
     std::shared_ptr<lesson::Session> session_;
     unsigned lesson_revision_ = 0;
+    std::vector<SceneChange> undone_;      ///< to be done again, the next one last
+    std::vector<SceneChange> done_;        ///< to be undone, the next one last
     std::optional<InspectorTab> followed_; ///< the tab that suited the last step
     std::unique_ptr<Search> search_;
     std::unique_ptr<LessonForm> lesson_form_;

@@ -5,6 +5,8 @@
 #include "app/viewer/search.hpp"
 #include "app/viewer/viewer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace hs::viewer {
@@ -27,6 +29,14 @@ bool needs_recording(Command command) {
 std::string Viewer::why_not(Command command) const {
     if (needs_recording(command) && !document_.is_open()) {
         return "Nothing is open yet: open a scene, a mesh or a lesson first.";
+    }
+    if (command == Command::undo || command == Command::redo) {
+        const bool empty = command == Command::undo ? done_.empty() : undone_.empty();
+        return busy()  ? "The frame is being recorded."
+               : empty ? fmt::format(
+                             "Nothing has been {}.", command == Command::undo ? "changed" : "undone"
+                         )
+                       : "";
     }
     const bool of_lesson = command_info(command).group == CommandGroup::lesson;
     if (of_lesson && session_ == nullptr) {
@@ -55,6 +65,9 @@ std::string Viewer::why_not(Command command) const {
     if (command == Command::next_match || command == Command::previous_match) {
         return why_no_match(command);
     }
+    if (command >= Command::next_value && command <= Command::value_back) {
+        return why_no_value(command);
+    }
     const trace::StepId step = document_.player().step();
     const bool forward = command == Command::step_forward ||
                          command == Command::operation_forward ||
@@ -78,6 +91,21 @@ std::string Viewer::why_no_match(Command command) const {
         return "";
     }
     return forward ? "Nothing after this step matches." : "Nothing before this step matches.";
+}
+
+/// Why the tab of values has nothing to do. Precondition: a document is open.
+std::string Viewer::why_no_value(Command command) const {
+    const ValueTrail& trail = state_.values;
+    if (command == Command::value_back) {
+        return trail.back.empty() ? "No operand has been followed." : "";
+    }
+    if (command != Command::next_value && command != Command::previous_value &&
+        trail.open.empty()) {
+        return "No value is open: E opens the step's values one by one.";
+    }
+    return command == Command::follow_operand && trail.operand < 0
+               ? "No operand is chosen: O chooses one after the other."
+               : "";
 }
 
 /// Why the lesson's question cannot be answered so; empty for commands that turn its pages.
@@ -124,7 +152,8 @@ void Viewer::run(Command command) {
     if (!why_not(command).empty()) {
         return;
     }
-    if (!run_stepping(command) && !run_view(command) && !run_lesson(command)) {
+    if (!run_stepping(command) && !run_value(command) && !run_view(command) &&
+        !run_lesson(command)) {
         run_program(command);
     }
 }
@@ -183,6 +212,70 @@ bool Viewer::run_stepping(Command command) {
     } else {
         return false;
     }
+    return true;
+}
+
+/// Opens the next value, or the first.
+void Viewer::choose_value(int by) {
+    const auto& values = document_.values();
+    const auto count = static_cast<int>(values.size());
+    if (count == 0) {
+        return;
+    }
+    ValueTrail& trail = state_.values;
+    const auto open = std::ranges::find(values, trail.open, &explain::StepValue::name);
+    const auto at = static_cast<int>(open - values.begin());
+    const int next = at == count ? (by > 0 ? 0 : count - 1) : (at + by + count) % count;
+    trail.open = values[static_cast<std::size_t>(next)].name;
+    trail.operand = -1;
+    trail.scroll = true;
+}
+
+void Viewer::choose_operand(int by) {
+    const explain::StepValue* value = explain::find_value(document_.values(), state_.values.open);
+    if (value == nullptr) {
+        return;
+    }
+    const auto count = static_cast<int>(explain::operands_of(value->expression).size());
+    int& chosen = state_.values.operand;
+    chosen = count == 0 ? -1 : chosen < 0 && by < 0 ? count - 1 : (chosen + by + count) % count;
+}
+
+void Viewer::return_to_value() {
+    ValueTrail& trail = state_.values;
+    const ValueTrail::Stop stop = std::move(trail.back.back());
+    trail.back.pop_back();
+    if (!go_to(stop.step)) { // no complaint: the frame still has the step
+        trail.open = stop.value;
+        trail.operand = -1;
+        trail.scroll = true;
+    }
+}
+
+bool Viewer::run_value(Command command) {
+    const auto is = [command](Command other) { return command == other; };
+    if (is(Command::why)) {
+        state_.show_why = !state_.show_why || state_.tab != InspectorTab::history;
+        state_.tab = InspectorTab::history;
+        return true;
+    }
+    if (is(Command::next_value) || is(Command::previous_value)) {
+        choose_value(is(Command::next_value) ? 1 : -1);
+    } else if (is(Command::next_operand) || is(Command::previous_operand)) {
+        choose_operand(is(Command::next_operand) ? 1 : -1);
+    } else if (is(Command::follow_operand)) {
+        const explain::StepValue* value =
+            explain::find_value(document_.values(), state_.values.open);
+        if (value != nullptr) {
+            const auto operands = explain::operands_of(value->expression);
+            follow(operands[static_cast<std::size_t>(state_.values.operand)]->origin);
+        }
+    } else if (is(Command::value_back)) {
+        return_to_value();
+    } else {
+        return false;
+    }
+    state_.tab = InspectorTab::values;
     return true;
 }
 
@@ -307,7 +400,11 @@ void Viewer::run_program(Command command) {
         state_.prompt_text.clear();
         state_.prompt_error.clear();
     };
-    if (is(Command::go_to)) {
+    if (is(Command::undo)) {
+        take_back(done_, undone_);
+    } else if (is(Command::redo)) {
+        take_back(undone_, done_);
+    } else if (is(Command::go_to)) {
         ask(Prompt::go_to);
     } else if (is(Command::open)) {
         ask(Prompt::open_file);
