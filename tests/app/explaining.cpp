@@ -81,7 +81,7 @@ TEST_CASE("a change is undone and done again, at the same step", "[app]") {
 
     scene::Settings settings = window->viewer.document().scene().settings;
     settings.background = {1.0F, 0.0F, 0.0F, 1.0F};
-    settings.cull = scene::CullFace::none;
+    settings.depth_write = !settings.depth_write;
     REQUIRE_FALSE(window->viewer.change_settings(settings));
     window->viewer.finish_background_work();
     const std::uint64_t changed = window->viewer.document().recording().digest();
