@@ -178,3 +178,22 @@ TEST_CASE(
     CHECK(window->viewer.document().recording().digest() == picture);
     CHECK(window->viewer.document().recording().counters.traversal.tiles > 0);
 }
+
+TEST_CASE("the cost panel holds all visible-surface algorithms against each other", "[app]") {
+    const auto window = Window::with_scene(1280, 720);
+    window->viewer.state().side = SidePanel::cost;
+    window->viewer.state().show_side = true;
+    window->settle();
+    CHECK(window->viewer.document().visibility_outcomes().empty());
+    window->viewer.document().compare_visibility();
+    window->settle();
+    CHECK(window->host.cut_text().empty());
+    const auto& outcomes = window->viewer.document().visibility_outcomes();
+    REQUIRE(outcomes.size() == names<scene::Visibility>().size());
+    for (const trace::VisibilityOutcome& outcome : outcomes) {
+        INFO(name_of(outcome.visibility));
+        CHECK(outcome.refusal.empty());
+        // Only file order, which happens to be back to front, is right by chance
+        CHECK(outcome.from_z_buffer.pixels == 0);
+    }
+}
